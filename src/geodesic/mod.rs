@@ -1,0 +1,1 @@
+//! Exact shortest geodesics on a triangle mesh between arbitrary surface points.

@@ -1,0 +1,3 @@
+//! The `egg` command.
+
+fn main() {}

@@ -1,0 +1,396 @@
+//! The plan document: everything about the structure, in records sorted by id.
+//!
+//! Lengths in metres, angles in degrees, masses in kilograms. Numbers keep full precision here
+//! and are rounded only when written.
+
+use crate::diagnostics::Diagnostic;
+use crate::project::model::Family;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+
+/// A whole structure.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Plan {
+    /// Version of this format.
+    pub format: u32,
+    /// The project's name.
+    pub name: String,
+    /// The design surface.
+    pub surface: SurfaceRecord,
+    /// Anchors.
+    pub points: Vec<PointRecord>,
+    /// Shortest geodesics between anchors.
+    pub edges: Vec<EdgeRecord>,
+    /// Geodesic quadrilaterals.
+    pub patches: Vec<PatchRecord>,
+    /// Grid curves.
+    pub members: Vec<MemberRecord>,
+    /// Where a u-member meets a v-member.
+    pub crossings: Vec<CrossingRecord>,
+    /// Parts to cut.
+    pub lamellae: Vec<LamellaRecord>,
+    /// Panels with their parts.
+    pub sheets: Vec<SheetRecord>,
+    /// What to buy.
+    pub bill_of_materials: Vec<BomRow>,
+    /// What the compiler had to say.
+    pub diagnostics: Vec<DiagnosticRecord>,
+}
+
+/// The design surface.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SurfaceRecord {
+    /// Number of vertices.
+    pub vertices: u32,
+    /// Number of triangles.
+    pub faces: u32,
+    /// Square metres.
+    pub area: f64,
+    /// Smallest and largest coordinates.
+    pub bounding_box: [[f64; 3]; 2],
+    /// Gaussian curvature away from the border, 1/m^2.
+    pub gaussian_curvature: Range,
+}
+
+/// An interval.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Range {
+    /// Lower end.
+    pub min: f64,
+    /// Upper end.
+    pub max: f64,
+}
+
+/// An anchor on the surface.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PointRecord {
+    /// The user's name.
+    pub id: String,
+    /// Metres.
+    pub position: [f64; 3],
+    /// Unit surface normal.
+    pub normal: [f64; 3],
+}
+
+/// A shortest geodesic between two anchors.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct EdgeRecord {
+    /// `a-b`.
+    pub id: String,
+    /// First anchor.
+    pub from: String,
+    /// Second anchor.
+    pub to: String,
+    /// Metres.
+    pub length: f64,
+    /// Points where it crosses mesh edges, ends included.
+    pub polyline: Vec<[f64; 3]>,
+}
+
+/// A geodesic quadrilateral.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PatchRecord {
+    /// The user's name.
+    pub id: String,
+    /// Ids of its corners in order.
+    pub corners: [String; 4],
+    /// Sides 1-2, 2-3, 3-4, 4-1.
+    pub sides: [SideRecord; 4],
+    /// Surface angle at the first corner, degrees.
+    pub alpha_surface: f64,
+    /// Planar angle at the first corner, degrees.
+    pub alpha_planar: f64,
+    /// The flat quadrilateral, metres, in the order of `corners`.
+    pub planar_corners: [[f64; 2]; 4],
+    /// Diagonals.
+    pub diagonals: Diagonals,
+    /// Coverage of the worst curvature peak by each family (paper, section 4.1); 1 is full, and
+    /// 1 is said where there is no peak.
+    pub eta: Eta,
+    /// Curvature inside the patch.
+    pub curvature: PatchCurvature,
+    /// Cladding functions.
+    pub cladding: Cladding,
+    /// Whether every check of the patch passed.
+    pub feasible: bool,
+}
+
+/// One side of a patch.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SideRecord {
+    /// Ids of its edges, from corner to corner.
+    pub edges: Vec<String>,
+    /// Metres.
+    pub length: f64,
+}
+
+/// Diagonals of a patch, metres: `e` from the first to the third corner, `f` from the second to
+/// the fourth.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Diagonals {
+    /// On the surface, 1-3.
+    pub e: f64,
+    /// On the surface, 2-4.
+    pub f: f64,
+    /// In the plane, 1-3.
+    pub e_planar: f64,
+    /// In the plane, 2-4.
+    pub f_planar: f64,
+}
+
+/// Coverage per family.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Eta {
+    /// u-family.
+    pub u: f64,
+    /// v-family.
+    pub v: f64,
+}
+
+/// Curvature of a patch.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PatchCurvature {
+    /// Largest Gaussian curvature inside, 1/m^2.
+    pub max: f64,
+    /// Where it is.
+    pub peak: [f64; 3],
+    /// pi / sqrt(max): shorter geodesics are unique (paper, Expression 1); none where max <= 0.
+    pub injectivity_bound: Option<f64>,
+    /// Longest member or diagonal, metres.
+    pub longest_geodesic: f64,
+}
+
+/// Cladding functions of both families.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Cladding {
+    /// u-family: share of side 1-2 to share of side 4-3.
+    pub u: CladdingFunction,
+    /// v-family: share of side 1-4 to share of side 2-3.
+    pub v: CladdingFunction,
+}
+
+/// A cladding function.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CladdingFunction {
+    /// (start, end) shares of the two sides, increasing from (0, 0) to (1, 1).
+    pub samples: Vec<[f64; 2]>,
+    /// Smallest slope.
+    pub slope_min: f64,
+    /// Largest slope.
+    pub slope_max: f64,
+}
+
+/// A grid curve.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct MemberRecord {
+    /// `west.u03`.
+    pub id: String,
+    /// Id of its patch.
+    pub patch: String,
+    /// Its family.
+    pub family: Family,
+    /// From 1, in the order of the start side.
+    pub index: u32,
+    /// Share of the start side.
+    pub start: f64,
+    /// Share of the end side.
+    pub end: f64,
+    /// Whether it is a side of the patch.
+    pub boundary: bool,
+    /// Exact shortest distance of its ends on the surface, metres.
+    pub length_surface: f64,
+    /// Distance of its ends in the plane, metres.
+    pub length_planar: f64,
+    /// Points where it crosses mesh edges, ends included.
+    pub polyline: Vec<[f64; 3]>,
+    /// Ends in the plane, metres.
+    pub planar: [[f64; 2]; 2],
+}
+
+/// Where two members meet.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct CrossingRecord {
+    /// `west.u03-v05`.
+    pub id: String,
+    /// Id of the u-member.
+    pub u: String,
+    /// Id of the v-member.
+    pub v: String,
+    /// On the surface, metres.
+    pub position: [f64; 3],
+    /// Unit surface normal.
+    pub normal: [f64; 3],
+    /// In the plane, metres.
+    pub planar: [f64; 2],
+    /// Arc length from the start of the u-member.
+    pub on_u: Positions,
+    /// Arc length from the start of the v-member.
+    pub on_v: Positions,
+    /// Angle from the u- to the v-member on the surface, degrees.
+    pub angle_surface: f64,
+    /// Angle from the u- to the v-member in the plane, degrees.
+    pub angle_planar: f64,
+}
+
+/// Arc length of a crossing on one member, metres.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Positions {
+    /// Deployed.
+    pub surface: f64,
+    /// Flat.
+    pub planar: f64,
+}
+
+/// A part to cut.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct LamellaRecord {
+    /// The same as its member's.
+    pub id: String,
+    /// Id of its member.
+    pub member: String,
+    /// Name of the material.
+    pub material: String,
+    /// Metres, end margins included.
+    pub length: f64,
+    /// From the end of the lamella to the start of the member, metres: openings are measured
+    /// from the start of the member.
+    pub end_margin: f64,
+    /// Metres.
+    pub width: f64,
+    /// Metres.
+    pub thickness: f64,
+    /// Kilograms, openings subtracted.
+    pub mass: f64,
+    /// Sorted along the lamella.
+    pub openings: Vec<OpeningRecord>,
+}
+
+/// An opening of a lamella. Positions are arc lengths from the start of the member, metres.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(tag = "kind", rename_all = "lowercase", deny_unknown_fields)]
+pub enum OpeningRecord {
+    /// A round hole.
+    Hole {
+        /// Centre.
+        at: f64,
+        /// Cut diameter, metres.
+        diameter: f64,
+        /// Id of the crossing it serves.
+        crossing: String,
+    },
+    /// An elongated hole: the bolt slides from `from` (flat) to `to` (deployed).
+    Notch {
+        /// Centre of the bolt in the flat state.
+        from: f64,
+        /// Centre of the bolt in the deployed state.
+        to: f64,
+        /// Cut width, metres; the cut is longer than |to - from| by this.
+        diameter: f64,
+        /// Id of the crossing it serves.
+        crossing: String,
+    },
+}
+
+/// A panel with its parts.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SheetRecord {
+    /// `sheet-01`.
+    pub id: String,
+    /// Name of the material.
+    pub material: String,
+    /// Metres.
+    pub thickness: f64,
+    /// Along the grain, metres.
+    pub length: f64,
+    /// Across the grain, metres.
+    pub width: f64,
+    /// Share of the panel's area that becomes parts.
+    pub yield_share: f64,
+    /// Parts by id.
+    pub parts: Vec<PlacedPart>,
+}
+
+/// A part on a sheet: its lower left corner, metres; the part lies along the length.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PlacedPart {
+    /// Id of the lamella.
+    pub lamella: String,
+    /// Metres from the left.
+    pub x: f64,
+    /// Metres from below.
+    pub y: f64,
+}
+
+/// One line of the shopping list.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct BomRow {
+    /// Stable key: `bolt-m4x16`.
+    pub id: String,
+    /// `stock`, `fastener`, `sleeve`, `friction`, `support`, `consumable`.
+    pub category: String,
+    /// What it is.
+    pub description: String,
+    /// Material, if that says something.
+    pub material: String,
+    /// Standard or dimensions.
+    pub specification: String,
+    /// How many are used.
+    pub quantity: f64,
+    /// `pcs`, `m`, `m2`, `kg`.
+    pub unit: String,
+    /// How many more to buy.
+    pub spare: f64,
+    /// Kilograms each, where known.
+    pub unit_mass: Option<f64>,
+    /// Price each, where given.
+    pub unit_cost: Option<f64>,
+}
+
+/// A diagnostic as the plan keeps it: without spans, which belong to one text of the file.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct DiagnosticRecord {
+    /// `W0602`.
+    pub code: String,
+    /// `note`, `warning` or `error`.
+    pub severity: String,
+    /// What is said.
+    pub message: String,
+    /// Id of the thing it is about.
+    pub subject: Option<String>,
+}
+
+impl From<&Diagnostic> for DiagnosticRecord {
+    fn from(diagnostic: &Diagnostic) -> Self {
+        Self {
+            code: diagnostic.code.to_string(),
+            severity: match diagnostic.severity {
+                crate::diagnostics::Severity::Note => "note",
+                crate::diagnostics::Severity::Warning => "warning",
+                crate::diagnostics::Severity::Error => "error",
+            }
+            .to_owned(),
+            message: diagnostic.message.clone(),
+            subject: diagnostic.subject.clone(),
+        }
+    }
+}

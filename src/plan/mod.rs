@@ -1,0 +1,5 @@
+//! The plan document.
+
+mod document;
+
+pub use document::*;
