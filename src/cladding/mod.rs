@@ -1,1 +1,11 @@
-//!
+//! Cladding.
+
+mod function;
+mod planar;
+mod table;
+mod trace;
+
+pub use function::CladdingFunction;
+pub use planar::{PlanarQuad, Point2, SideLengths};
+pub use table::{DistanceTable, nodes};
+pub use trace::{TraceFailure, trace};
