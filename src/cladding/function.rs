@@ -21,13 +21,14 @@ impl CladdingFunction {
     pub fn new(mut samples: Vec<[f64; 3]>) -> Option<Self> {
         let (first, last) = (samples.first()?, samples.last()?);
         let ends_right = first[..2] == [0.0, 0.0] && last[..2] == [1.0, 1.0];
-        let increasing = samples.windows(2).all(|w| w[0][0] < w[1][0] && w[0][1] < w[1][1]);
+        let increasing = samples
+            .windows(2)
+            .all(|w| w[0][0] < w[1][0] && w[0][1] < w[1][1]);
         if !(ends_right && increasing && samples.iter().all(|s| s[2] > 0.0)) {
             return None;
         }
         for i in 1..samples.len() {
-            let chord =
-                (samples[i][1] - samples[i - 1][1]) / (samples[i][0] - samples[i - 1][0]);
+            let chord = (samples[i][1] - samples[i - 1][1]) / (samples[i][0] - samples[i - 1][0]);
             samples[i - 1][2] = samples[i - 1][2].min(3.0 * chord);
             samples[i][2] = samples[i][2].min(3.0 * chord);
         }
@@ -43,7 +44,9 @@ impl CladdingFunction {
     pub fn slope_range(&self) -> [f64; 2] {
         self.samples
             .iter()
-            .fold([f64::INFINITY, 0.0], |[low, high], s| [low.min(s[2]), high.max(s[2])])
+            .fold([f64::INFINITY, 0.0], |[low, high], s| {
+                [low.min(s[2]), high.max(s[2])]
+            })
     }
 
     /// End share and slope at a start share in [0, 1].
@@ -55,8 +58,8 @@ impl CladdingFunction {
         let y = 1.0 - x;
         let rise = b[1] - a[1];
         let end = a[1] + x * x * (3.0 - 2.0 * x) * rise + width * x * y * (y * a[2] - x * b[2]);
-        let slope = 6.0 * x * y * rise / width + y * (1.0 - 3.0 * x) * a[2]
-            + x * (3.0 * x - 2.0) * b[2];
+        let slope =
+            6.0 * x * y * rise / width + y * (1.0 - 3.0 * x) * a[2] + x * (3.0 * x - 2.0) * b[2];
         (end, slope)
     }
 
@@ -78,13 +81,20 @@ impl CladdingFunction {
             if (newton - start).abs() < 1e-15 {
                 break;
             }
-            start = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            start = if newton > low && newton < high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
         }
         (start, 1.0 / self.at(start).1)
     }
 
     fn piece(&self, share: f64, axis: usize) -> usize {
-        self.samples.partition_point(|s| s[axis] <= share).clamp(1, self.samples.len() - 1) - 1
+        self.samples
+            .partition_point(|s| s[axis] <= share)
+            .clamp(1, self.samples.len() - 1)
+            - 1
     }
 }
 
@@ -95,7 +105,13 @@ mod tests {
 
     /// The exact cladding function of developable patches.
     fn moebius(k: f64) -> CladdingFunction {
-        let f = |x: f64| [x, k * x / (1.0 + (k - 1.0) * x), k / (1.0 + (k - 1.0) * x).powi(2)];
+        let f = |x: f64| {
+            [
+                x,
+                k * x / (1.0 + (k - 1.0) * x),
+                k / (1.0 + (k - 1.0) * x).powi(2),
+            ]
+        };
         let mut samples: Vec<_> = (0..=64).map(|i| f(f64::from(i) / 64.0)).collect();
         samples[64][1] = 1.0;
         CladdingFunction::new(samples).unwrap()

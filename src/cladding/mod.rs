@@ -1,10 +1,12 @@
 //! Cladding.
 
+mod angle;
 mod function;
 mod planar;
 mod table;
 mod trace;
 
+pub use angle::{AngleChoice, Clad, Demands, Infeasible, Maps, Obstacle, choose_angle, clad};
 pub use function::CladdingFunction;
 pub use planar::{PlanarQuad, Point2, SideLengths};
 pub use table::{DistanceTable, nodes};

@@ -35,7 +35,12 @@ impl SideLengths {
     /// Open interval of the angle at A, radians, for which the planar quadrilateral exists and
     /// is convex (method notes, section 3); `None` when there is none.
     pub fn convex_range(self) -> Option<(f64, f64)> {
-        let Self { ab: a, bc: b, cd: c, da: d } = self;
+        let Self {
+            ab: a,
+            bc: b,
+            cd: c,
+            da: d,
+        } = self;
         // A straight angle at B, then at D, bounds from below; one at C bounds from above.
         let low = opposite_angle(a + b, d, c).max(opposite_angle(c + d, a, b));
         let high = opposite_angle(a, d, b + c);
@@ -79,7 +84,9 @@ impl PlanarQuad {
         }
         let away = nalgebra::Vector2::new(bd.y, -bd.x);
         let c = b + bd * along + away * height2.sqrt();
-        Some(Self { corners: [a, b, c, d] })
+        Some(Self {
+            corners: [a, b, c, d],
+        })
     }
 
     /// The side on which a family starts, at the share `t` of its length.
@@ -101,7 +108,10 @@ impl PlanarQuad {
         let v = self.end(family, end) - self.start(family, start);
         let along_start = self.start(family, 1.0) - self.start(family, 0.0);
         let along_end = self.end(family, 1.0) - self.end(family, 0.0);
-        (v.norm_squared(), [-2.0 * v.dot(&along_start), 2.0 * v.dot(&along_end)])
+        (
+            v.norm_squared(),
+            [-2.0 * v.dot(&along_start), 2.0 * v.dot(&along_end)],
+        )
     }
 
     /// Interior angles at A, B, C, D, radians.
@@ -132,7 +142,10 @@ impl PlanarQuad {
 
     /// How far the quadrilateral is from a corner being straight, radians.
     pub fn convexity_margin(&self) -> f64 {
-        self.angles().into_iter().map(|angle| PI - angle).fold(f64::INFINITY, f64::min)
+        self.angles()
+            .into_iter()
+            .map(|angle| PI - angle)
+            .fold(f64::INFINITY, f64::min)
     }
 }
 
@@ -193,7 +206,12 @@ mod tests {
 
     #[test]
     fn a_square_has_its_diagonals_and_area() {
-        let s = SideLengths { ab: 1.0, bc: 1.0, cd: 1.0, da: 1.0 };
+        let s = SideLengths {
+            ab: 1.0,
+            bc: 1.0,
+            cd: 1.0,
+            da: 1.0,
+        };
         assert_eq!(s.convex_range(), Some((0.0, PI)));
         let quad = PlanarQuad::new(s, PI / 3.0).unwrap();
         assert!((quad.diagonals()[0] - 3.0_f64.sqrt()).abs() < 1e-12);

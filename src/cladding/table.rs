@@ -27,7 +27,10 @@ impl DistanceTable {
     /// If there are fewer than four rows or they are not of equal length.
     pub fn new(distances: &[Vec<f64>]) -> Self {
         let n = distances.len();
-        assert!(n >= 4 && distances.iter().all(|row| row.len() == n), "a square table");
+        assert!(
+            n >= 4 && distances.iter().all(|row| row.len() == n),
+            "a square table"
+        );
         let mut nodes = vec![[0.0; 4]; n * n];
         for (i, row) in distances.iter().enumerate() {
             for (j, d) in row.iter().enumerate() {
@@ -37,8 +40,9 @@ impl DistanceTable {
         let step = 1.0 / (n - 1) as f64;
         let mut differentiate = |from: usize, to: usize, stride: usize, other: usize| {
             for line in 0..n {
-                let values: Vec<f64> =
-                    (0..n).map(|k| nodes[line * other + k * stride][from]).collect();
+                let values: Vec<f64> = (0..n)
+                    .map(|k| nodes[line * other + k * stride][from])
+                    .collect();
                 for (k, slope) in spline_slopes(&values, step).into_iter().enumerate() {
                     nodes[line * other + k * stride][to] = slope;
                 }
@@ -84,8 +88,10 @@ impl DistanceTable {
 /// the weights of value and slope, and their derivatives.
 fn hermite(x: f64, step: f64) -> ([[f64; 2]; 2], [[f64; 2]; 2]) {
     let (x2, y) = (x * x, 1.0 - x);
-    let value =
-        [[y * y * (1.0 + 2.0 * x), step * x * y * y], [x2 * (3.0 - 2.0 * x), -step * x2 * y]];
+    let value = [
+        [y * y * (1.0 + 2.0 * x), step * x * y * y],
+        [x2 * (3.0 - 2.0 * x), -step * x2 * y],
+    ];
     let bump = 6.0 * x * y / step;
     let slope = [[-bump, y * (1.0 - 3.0 * x)], [bump, x * (3.0 * x - 2.0)]];
     (value, slope)
@@ -129,8 +135,9 @@ mod tests {
     use super::*;
 
     fn table(n: usize, f: impl Fn(f64, f64) -> f64) -> DistanceTable {
-        let rows: Vec<Vec<f64>> =
-            nodes(n).map(|s| nodes(n).map(|e| f(s, e)).collect()).collect();
+        let rows: Vec<Vec<f64>> = nodes(n)
+            .map(|s| nodes(n).map(|e| f(s, e)).collect())
+            .collect();
         DistanceTable::new(&rows)
     }
 

@@ -41,7 +41,11 @@ pub fn trace(
     quad: &PlanarQuad,
     family: Family,
 ) -> Result<CladdingFunction, TraceFailure> {
-    let gap = Gap { table, quad, family };
+    let gap = Gap {
+        table,
+        quad,
+        family,
+    };
     let step = 1.0 / STEPS as f64;
     let mut samples = Vec::with_capacity(STEPS + 1);
     samples.push([0.0, 0.0, gap.slope(0.0, 0.0)]);
@@ -52,7 +56,9 @@ pub fn trace(
         let low = (s - step).max(-reach);
         let high = (s + step).min(reach);
         let reached = [t - step - s, t - step + s];
-        s = gap.root(t, low, high, s).ok_or(TraceFailure::TurnsBack { at: reached })?;
+        s = gap
+            .root(t, low, high, s)
+            .ok_or(TraceFailure::TurnsBack { at: reached })?;
         let (start, end) = (t - s, t + s);
         if gap.condition(start, end) < CONDITION {
             return Err(TraceFailure::Congruent { at: [start, end] });
@@ -116,7 +122,11 @@ impl Gap<'_> {
             if (newton - s).abs() < 1e-15 || high - low < 1e-15 {
                 return Some(s);
             }
-            s = if newton > low && newton < high { newton } else { 0.5 * (low + high) };
+            s = if newton > low && newton < high {
+                newton
+            } else {
+                0.5 * (low + high)
+            };
         }
         Some(s)
     }
@@ -131,7 +141,11 @@ mod tests {
     /// A table of a plane quadrilateral with its own angle at A.
     fn plane(quad: &PlanarQuad, family: Family) -> DistanceTable {
         let rows: Vec<Vec<f64>> = nodes(9)
-            .map(|s| nodes(9).map(|e| quad.distance_squared(family, s, e).0.sqrt()).collect())
+            .map(|s| {
+                nodes(9)
+                    .map(|e| quad.distance_squared(family, s, e).0.sqrt())
+                    .collect()
+            })
             .collect();
         DistanceTable::new(&rows)
     }
@@ -144,7 +158,11 @@ mod tests {
                 Family::U => (angles[0], angles[3]),
                 Family::V => (angles[0], angles[1]),
             };
-            (libm::cos(at_start), libm::cos(at_end), -libm::cos(at_start + at_end))
+            (
+                libm::cos(at_start),
+                libm::cos(at_end),
+                -libm::cos(at_start + at_end),
+            )
         };
         let length = |t: f64, a: f64| plan.distance_squared(family, t, a).0.sqrt();
         let d = length(0.0, 0.0);
@@ -182,19 +200,33 @@ mod tests {
 
     #[test]
     fn a_sheared_square_keeps_even_shares() {
-        let sides = SideLengths { ab: 1.0, bc: 1.0, cd: 1.0, da: 1.0 };
+        let sides = SideLengths {
+            ab: 1.0,
+            bc: 1.0,
+            cd: 1.0,
+            da: 1.0,
+        };
         let surface = PlanarQuad::new(sides, 1.5).unwrap();
         let plan = PlanarQuad::new(sides, 0.6).unwrap();
         for family in [Family::U, Family::V] {
             let f = trace(&plane(&surface, family), &plan, family).unwrap();
             assert!(f.samples().all(|[start, end]| (start - end).abs() < 1e-12));
-            assert!(f.slope_range().iter().all(|slope| (slope - 1.0).abs() < 1e-9));
+            assert!(
+                f.slope_range()
+                    .iter()
+                    .all(|slope| (slope - 1.0).abs() < 1e-9)
+            );
         }
     }
 
     #[test]
     fn a_congruent_plan_is_refused() {
-        let sides = SideLengths { ab: 1.0, bc: 1.1, cd: 0.9, da: 1.0 };
+        let sides = SideLengths {
+            ab: 1.0,
+            bc: 1.1,
+            cd: 0.9,
+            da: 1.0,
+        };
         let quad = PlanarQuad::new(sides, 1.3).unwrap();
         let close = PlanarQuad::new(sides, 1.302).unwrap();
         let table = plane(&quad, Family::U);
@@ -208,15 +240,21 @@ mod tests {
     /// Dome on the unit square over a flat plan of the same outline: no members in between.
     #[test]
     fn a_plan_in_the_forbidden_gap_turns_back() {
-        let sides = SideLengths { ab: 1.0, bc: 1.0, cd: 1.0, da: 1.0 };
+        let sides = SideLengths {
+            ab: 1.0,
+            bc: 1.0,
+            cd: 1.0,
+            da: 1.0,
+        };
         let plan = PlanarQuad::new(sides, std::f64::consts::FRAC_PI_2).unwrap();
         let bulge = |s: f64, e: f64| {
             let flat = libm::hypot(1.0, s - e);
             let middle = 0.5 * (s + e);
             flat * (1.0 + 0.2 * middle * (1.0 - middle))
         };
-        let rows: Vec<Vec<f64>> =
-            nodes(17).map(|s| nodes(17).map(|e| bulge(s, e)).collect()).collect();
+        let rows: Vec<Vec<f64>> = nodes(17)
+            .map(|s| nodes(17).map(|e| bulge(s, e)).collect())
+            .collect();
         let failure = trace(&DistanceTable::new(&rows), &plan, Family::U).unwrap_err();
         assert!(matches!(failure, TraceFailure::TurnsBack { .. }));
     }
