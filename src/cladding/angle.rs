@@ -508,7 +508,7 @@ mod tests {
         let demands = Demands {
             slope: [0.5, 2.0],
             members: [7, 7],
-            width: 0.02,
+            width: 0.05,
         };
         let choice = choose_angle(&maps, &demands);
         assert_eq!(choice.feasible.len(), 2, "{:?}", choice.feasible);
@@ -536,7 +536,7 @@ mod tests {
         let strict = Demands {
             slope: [0.95, 1.05],
             members: [7, 7],
-            width: 0.02,
+            width: 0.05,
         };
         let choice = choose_angle(&maps, &strict);
         assert!(choice.feasible.is_empty());
