@@ -89,7 +89,11 @@ pub fn distribute(sides: &[Crossed<'_>], range: (f64, f64), count: u32) -> Vec<f
             let ordered = trial.windows(2).all(|w| (w[1] - w[0]) * even > 0.0);
             if ordered {
                 let next = Linearised::new(sides, &trial);
-                if next.objective <= state.objective {
+                // Near the optimum the objective changes by less than its rounding; the gradient
+                // still tells.
+                let descends = next.objective < state.objective * (1.0 - 1e-13);
+                let level = next.objective <= state.objective * (1.0 + 1e-13);
+                if descends || level && next.steepness() < state.steepness() {
                     break Some((trial, next));
                 }
             }
@@ -143,6 +147,10 @@ impl Linearised {
             }
         }
         this
+    }
+
+    fn steepness(&self) -> f64 {
+        self.gradient.iter().map(|g| g * g).sum()
     }
 
     fn gauss_newton_step(&self) -> Vec<f64> {
