@@ -1,1 +1,5 @@
-//!
+//! Layout.
+
+mod network;
+
+pub use network::{Line, Network, SidePiece, Station, edge_id};
