@@ -1,1 +1,5 @@
-//!
+//! Grid.
+
+mod crossing;
+
+pub use crossing::{Curve, Hit, crossings};
