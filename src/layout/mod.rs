@@ -1,7 +1,11 @@
 //! Layout.
 
+mod domain;
 mod interior;
 mod network;
+mod side;
 
+pub use domain::Domain;
 pub use interior::vertices_inside;
+pub use side::Side;
 pub use network::{Line, Network, SidePiece, Station, edge_id};
