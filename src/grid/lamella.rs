@@ -77,7 +77,12 @@ pub fn lamella(patch: &str, member: &Member, crossings: &[Crossing], section: &S
         .iter()
         .filter_map(|crossing| {
             let on = position_on(member, crossing)?;
-            Some(opening(crossing_id(patch, crossing.u, crossing.v), member, on, section))
+            Some(opening(
+                crossing_id(patch, crossing.u, crossing.v),
+                member,
+                on,
+                section,
+            ))
         })
         .collect();
     openings.sort_by(|a, b| a.extent().0.total_cmp(&b.extent().0));
@@ -108,6 +113,16 @@ fn opening(crossing: String, member: &Member, on: Positions, section: &Section) 
     let slides = !member.boundary && !at_end;
     let notch = slides && on.slide().abs() > NO_SLIDE;
     let diameter = if slides { section.slider } else { section.bolt } + section.clearance;
-    let (from, to) = if notch { (on.planar, on.surface) } else { (on.surface, on.surface) };
-    Opening { crossing, from, to, diameter, notch }
+    let (from, to) = if notch {
+        (on.planar, on.surface)
+    } else {
+        (on.surface, on.surface)
+    };
+    Opening {
+        crossing,
+        from,
+        to,
+        diameter,
+        notch,
+    }
 }

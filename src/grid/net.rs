@@ -88,11 +88,18 @@ pub fn crossings_of(
             }
         }
     }
-    if wrong.is_empty() { Ok(all) } else { Err(wrong) }
+    if wrong.is_empty() {
+        Ok(all)
+    } else {
+        Err(wrong)
+    }
 }
 
 fn curves<'a>(mesh: &'a Mesh, members: &'a [Member]) -> Vec<Curve<'a>> {
-    members.iter().map(|m| Curve::new(mesh, &m.path.points)).collect()
+    members
+        .iter()
+        .map(|m| Curve::new(mesh, &m.path.points))
+        .collect()
 }
 
 /// A crossing of two inner members, at the shares `s` and `t` of their planar lengths.
@@ -102,8 +109,14 @@ fn inside(along: &Member, across: &Member, hit: &Hit, s: f64, t: f64) -> Crossin
         v: across.index,
         point: hit.point,
         planar: along.planar[0] + (along.planar[1] - along.planar[0]) * s,
-        on_u: Positions { surface: hit.on_first, planar: s * along.length_planar() },
-        on_v: Positions { surface: hit.on_second, planar: t * across.length_planar() },
+        on_u: Positions {
+            surface: hit.on_first,
+            planar: s * along.length_planar(),
+        },
+        on_v: Positions {
+            surface: hit.on_second,
+            planar: t * across.length_planar(),
+        },
         angle_surface: hit.angle,
         angle_planar: planar_angle(along, across),
     }
@@ -113,7 +126,11 @@ fn inside(along: &Member, across: &Member, hit: &Hit, s: f64, t: f64) -> Crossin
 fn at_the_side(mesh: &Mesh, along: &Member, across: &Member) -> Crossing {
     // The first u-member is the side on which v-members start, the last the one where they end.
     let on_boundary = |side: &Member, other: &Member| {
-        if side.index == 0 { (other.start, 0.0) } else { (other.end, 1.0) }
+        if side.index == 0 {
+            (other.start, 0.0)
+        } else {
+            (other.end, 1.0)
+        }
     };
     let (s, t) = if along.boundary {
         on_boundary(along, across)
@@ -154,7 +171,11 @@ fn at_the_side(mesh: &Mesh, along: &Member, across: &Member) -> Crossing {
 
 fn end_point(member: &Member, share: f64) -> SurfacePoint {
     let points = &member.path.points;
-    if share < 0.5 { points[0] } else { points[points.len() - 1] }
+    if share < 0.5 {
+        points[0]
+    } else {
+        points[points.len() - 1]
+    }
 }
 
 /// Shares of the planar lengths at which two members cross, if they do.
@@ -168,6 +189,9 @@ fn straight_crossing(along: &Member, across: &Member) -> Option<(f64, f64)> {
 }
 
 fn planar_angle(along: &Member, across: &Member) -> f64 {
-    let (u, v) = (along.planar[1] - along.planar[0], across.planar[1] - across.planar[0]);
+    let (u, v) = (
+        along.planar[1] - along.planar[0],
+        across.planar[1] - across.planar[0],
+    );
     libm::atan2(u.perp(&v).abs(), u.dot(&v))
 }

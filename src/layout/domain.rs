@@ -62,21 +62,34 @@ impl Domain {
     pub fn corners(&self) -> [SurfacePoint; 4] {
         let first = |side: &Side| side.path().points[0];
         let last = |side: &Side| side.path().points[side.path().points.len() - 1];
-        [first(&self.ab), first(&self.bc), last(&self.dc), last(&self.ad)]
+        [
+            first(&self.ab),
+            first(&self.bc),
+            last(&self.dc),
+            last(&self.ad),
+        ]
     }
 
     /// Angle on the surface between the sides at A, radians; `None` where the sides do not meet.
     pub fn angle_at_a(&self) -> Option<f64> {
         let at = self.ab.path().points[0];
-        angle_between(&self.mesh, &at, &self.ab.path().start, &self.ad.path().start)
+        angle_between(
+            &self.mesh,
+            &at,
+            &self.ab.path().start,
+            &self.ad.path().start,
+        )
     }
 
     /// The loop A, B, C, D as points, each corner once.
     pub fn ring(&self) -> Vec<SurfacePoint> {
         let mut ring = Vec::new();
-        for (side, forward) in
-            [(&self.ab, true), (&self.bc, true), (&self.dc, false), (&self.ad, false)]
-        {
+        for (side, forward) in [
+            (&self.ab, true),
+            (&self.bc, true),
+            (&self.dc, false),
+            (&self.ad, false),
+        ] {
             let points = &side.path().points;
             let inner = points.len() - 1;
             if forward {

@@ -7,5 +7,5 @@ mod side;
 
 pub use domain::Domain;
 pub use interior::vertices_inside;
-pub use side::Side;
 pub use network::{Line, Network, SidePiece, Station, edge_id};
+pub use side::Side;

@@ -38,7 +38,11 @@ impl Side {
             if next <= s0 || self.lengths[i] >= s1 {
                 continue;
             }
-            let point = if next >= s1 { self.at(mesh, to) } else { self.path.points[i + 1] };
+            let point = if next >= s1 {
+                self.at(mesh, to)
+            } else {
+                self.path.points[i + 1]
+            };
             if points.last() != Some(&point) {
                 points.push(point);
                 faces.push(face);
@@ -81,9 +85,17 @@ impl Side {
         }
         let total = self.lengths[self.lengths.len() - 1];
         let s = share * total;
-        let i = self.lengths.partition_point(|&l| l <= s).clamp(1, points.len() - 1) - 1;
+        let i = self
+            .lengths
+            .partition_point(|&l| l <= s)
+            .clamp(1, points.len() - 1)
+            - 1;
         let piece = self.lengths[i + 1] - self.lengths[i];
-        let t = if piece > 0.0 { (s - self.lengths[i]) / piece } else { 0.0 };
+        let t = if piece > 0.0 {
+            (s - self.lengths[i]) / piece
+        } else {
+            0.0
+        };
         between(mesh, &points[i], &points[i + 1], self.path.faces[i], t)
     }
 
@@ -102,7 +114,10 @@ impl Side {
             let t = ((p - a).dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
             let distance = (a + along * t - p).norm();
             if distance < best.0 {
-                best = (distance, self.lengths[i] + t * (self.lengths[i + 1] - self.lengths[i]));
+                best = (
+                    distance,
+                    self.lengths[i] + t * (self.lengths[i + 1] - self.lengths[i]),
+                );
             }
         }
         (best.1 / self.length()).clamp(0.0, 1.0)
@@ -110,16 +125,14 @@ impl Side {
 }
 
 /// The point at the share `t` of the straight piece between two points of a face.
-fn between(
-    mesh: &Mesh,
-    from: &SurfacePoint,
-    to: &SurfacePoint,
-    face: u32,
-    t: f64,
-) -> SurfacePoint {
+fn between(mesh: &Mesh, from: &SurfacePoint, to: &SurfacePoint, face: u32, t: f64) -> SurfacePoint {
     let bary = from.bary_in(mesh, face).zip(to.bary_in(mesh, face));
     bary.and_then(|(a, b)| {
-        SurfacePoint::in_face(mesh, face, std::array::from_fn(|i| a[i] + (b[i] - a[i]) * t))
+        SurfacePoint::in_face(
+            mesh,
+            face,
+            std::array::from_fn(|i| a[i] + (b[i] - a[i]) * t),
+        )
     })
     .unwrap_or(*from)
 }

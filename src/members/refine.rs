@@ -83,9 +83,16 @@ pub fn refine(
     let source = from.at(mesh, share);
     let planar_length = |other: f64| {
         let (start, end) = in_order(given, share, other);
-        between.quad.distance_squared(between.family, start, end).0.sqrt()
+        between
+            .quad
+            .distance_squared(between.family, start, end)
+            .0
+            .sqrt()
     };
-    let mut search = Search { guess, tried: Vec::new() };
+    let mut search = Search {
+        guess,
+        tried: Vec::new(),
+    };
     let mut reach = FIRST;
     for _ in 0..MOST_SOLVES {
         let shares = match search.next_shares() {
@@ -105,18 +112,37 @@ pub fn refine(
             if difference.abs() <= EQUAL * plane {
                 let path = field.path_to(target)?;
                 let (start, end) = in_order(given, share, other);
-                let path = if given == Given::Start { path } else { path.reversed() };
+                let path = if given == Given::Start {
+                    path
+                } else {
+                    path.reversed()
+                };
                 let planar = planar(between, start, end);
                 let family = between.family;
-                return Ok(Member { family, index, boundary: false, start, end, path, planar });
+                return Ok(Member {
+                    family,
+                    index,
+                    boundary: false,
+                    start,
+                    end,
+                    path,
+                    planar,
+                });
             }
             search.tried.push((other, difference));
         }
         search.tried.sort_by(|a, b| a.0.total_cmp(&b.0));
     }
-    let closest = search.tried.iter().min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    let closest = search
+        .tried
+        .iter()
+        .min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
     let &(closest, difference) = closest.unwrap_or(&(guess, f64::NAN));
-    Err(RefineError::NoEqualLength { given: share, closest, difference })
+    Err(RefineError::NoEqualLength {
+        given: share,
+        closest,
+        difference,
+    })
 }
 
 fn in_order(given: Given, share: f64, other: f64) -> (f64, f64) {
@@ -147,11 +173,20 @@ impl Search {
         let width = b.0 - a.0;
         let zero = (a.0 * b.1 - b.0 * a.1) / (b.1 - a.1);
         let inside = |x: f64| x > a.0 && x < b.0;
-        let zero = if inside(zero) { zero } else { 0.5 * (a.0 + b.0) };
+        let zero = if inside(zero) {
+            zero
+        } else {
+            0.5 * (a.0 + b.0)
+        };
         let close = 1e-3 * width;
         let shares = [zero - close, zero, zero + close, 0.5 * (a.0 + b.0)];
-        Some(shares.into_iter().filter(|&x| inside(x)).collect::<Vec<_>>())
-            .filter(|shares| !shares.is_empty())
+        Some(
+            shares
+                .into_iter()
+                .filter(|&x| inside(x))
+                .collect::<Vec<_>>(),
+        )
+        .filter(|shares| !shares.is_empty())
     }
 
     fn far(&self, (a, b): &((f64, f64), (f64, f64))) -> f64 {
@@ -173,6 +208,8 @@ pub fn boundary_member(between: &Between<'_>, index: u32, share: f64, path: Path
 }
 
 fn planar(between: &Between<'_>, start: f64, end: f64) -> [Point2; 2] {
-    [between.quad.start(between.family, start), between.quad.end(between.family, end)]
+    [
+        between.quad.start(between.family, start),
+        between.quad.end(between.family, end),
+    ]
 }
-

@@ -3,6 +3,7 @@
 //! Lengths in metres, angles in degrees, masses in kilograms. Numbers keep full precision here
 //! and are rounded only when written.
 
+use super::round;
 use crate::diagnostics::Diagnostic;
 use crate::project::model::Family;
 use schemars::JsonSchema;
@@ -47,8 +48,10 @@ pub struct SurfaceRecord {
     /// Number of triangles.
     pub faces: u32,
     /// Square metres.
+    #[serde(serialize_with = "round::quantity")]
     pub area: f64,
     /// Smallest and largest coordinates.
+    #[serde(serialize_with = "round::metres")]
     pub bounding_box: [[f64; 3]; 2],
     /// Gaussian curvature away from the border, 1/m^2.
     pub gaussian_curvature: Range,
@@ -59,8 +62,10 @@ pub struct SurfaceRecord {
 #[serde(deny_unknown_fields)]
 pub struct Range {
     /// Lower end.
+    #[serde(serialize_with = "round::curvature")]
     pub min: f64,
     /// Upper end.
+    #[serde(serialize_with = "round::curvature")]
     pub max: f64,
 }
 
@@ -71,8 +76,10 @@ pub struct PointRecord {
     /// The user's name.
     pub id: String,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub position: [f64; 3],
     /// Unit surface normal.
+    #[serde(serialize_with = "round::share")]
     pub normal: [f64; 3],
 }
 
@@ -87,8 +94,10 @@ pub struct EdgeRecord {
     /// Second anchor.
     pub to: String,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub length: f64,
     /// Points where it crosses mesh edges, ends included.
+    #[serde(serialize_with = "round::metres")]
     pub polyline: Vec<[f64; 3]>,
 }
 
@@ -103,10 +112,13 @@ pub struct PatchRecord {
     /// Sides 1-2, 2-3, 3-4, 4-1.
     pub sides: [SideRecord; 4],
     /// Surface angle at the first corner, degrees.
+    #[serde(serialize_with = "round::degrees")]
     pub alpha_surface: f64,
     /// Planar angle at the first corner, degrees.
+    #[serde(serialize_with = "round::degrees")]
     pub alpha_planar: f64,
     /// The flat quadrilateral, metres, in the order of `corners`.
+    #[serde(serialize_with = "round::metres")]
     pub planar_corners: [[f64; 2]; 4],
     /// Diagonals.
     pub diagonals: Diagonals,
@@ -128,6 +140,7 @@ pub struct SideRecord {
     /// Ids of its edges, from corner to corner.
     pub edges: Vec<String>,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub length: f64,
 }
 
@@ -137,12 +150,16 @@ pub struct SideRecord {
 #[serde(deny_unknown_fields)]
 pub struct Diagonals {
     /// On the surface, 1-3.
+    #[serde(serialize_with = "round::metres")]
     pub e: f64,
     /// On the surface, 2-4.
+    #[serde(serialize_with = "round::metres")]
     pub f: f64,
     /// In the plane, 1-3.
+    #[serde(serialize_with = "round::metres")]
     pub e_planar: f64,
     /// In the plane, 2-4.
+    #[serde(serialize_with = "round::metres")]
     pub f_planar: f64,
 }
 
@@ -151,8 +168,10 @@ pub struct Diagonals {
 #[serde(deny_unknown_fields)]
 pub struct Eta {
     /// u-family.
+    #[serde(serialize_with = "round::share")]
     pub u: f64,
     /// v-family.
+    #[serde(serialize_with = "round::share")]
     pub v: f64,
 }
 
@@ -161,12 +180,16 @@ pub struct Eta {
 #[serde(deny_unknown_fields)]
 pub struct PatchCurvature {
     /// Largest Gaussian curvature inside, 1/m^2.
+    #[serde(serialize_with = "round::curvature")]
     pub max: f64,
     /// Where it is.
+    #[serde(serialize_with = "round::metres")]
     pub peak: [f64; 3],
     /// pi / sqrt(max): shorter geodesics are unique (paper, Expression 1); none where max <= 0.
+    #[serde(serialize_with = "round::metres")]
     pub injectivity_bound: Option<f64>,
     /// Longest member or diagonal, metres.
+    #[serde(serialize_with = "round::metres")]
     pub longest_geodesic: f64,
 }
 
@@ -185,10 +208,13 @@ pub struct Cladding {
 #[serde(deny_unknown_fields)]
 pub struct CladdingFunction {
     /// (start, end) shares of the two sides, increasing from (0, 0) to (1, 1).
+    #[serde(serialize_with = "round::share")]
     pub samples: Vec<[f64; 2]>,
     /// Smallest slope.
+    #[serde(serialize_with = "round::share")]
     pub slope_min: f64,
     /// Largest slope.
+    #[serde(serialize_with = "round::share")]
     pub slope_max: f64,
 }
 
@@ -205,18 +231,24 @@ pub struct MemberRecord {
     /// From 1, in the order of the start side.
     pub index: u32,
     /// Share of the start side.
+    #[serde(serialize_with = "round::share")]
     pub start: f64,
     /// Share of the end side.
+    #[serde(serialize_with = "round::share")]
     pub end: f64,
     /// Whether it is a side of the patch.
     pub boundary: bool,
     /// Exact shortest distance of its ends on the surface, metres.
+    #[serde(serialize_with = "round::metres")]
     pub length_surface: f64,
     /// Distance of its ends in the plane, metres.
+    #[serde(serialize_with = "round::metres")]
     pub length_planar: f64,
     /// Points where it crosses mesh edges, ends included.
+    #[serde(serialize_with = "round::metres")]
     pub polyline: Vec<[f64; 3]>,
     /// Ends in the plane, metres.
+    #[serde(serialize_with = "round::metres")]
     pub planar: [[f64; 2]; 2],
 }
 
@@ -231,18 +263,23 @@ pub struct CrossingRecord {
     /// Id of the v-member.
     pub v: String,
     /// On the surface, metres.
+    #[serde(serialize_with = "round::metres")]
     pub position: [f64; 3],
     /// Unit surface normal.
+    #[serde(serialize_with = "round::share")]
     pub normal: [f64; 3],
     /// In the plane, metres.
+    #[serde(serialize_with = "round::metres")]
     pub planar: [f64; 2],
     /// Arc length from the start of the u-member.
     pub on_u: Positions,
     /// Arc length from the start of the v-member.
     pub on_v: Positions,
     /// Angle from the u- to the v-member on the surface, degrees.
+    #[serde(serialize_with = "round::degrees")]
     pub angle_surface: f64,
     /// Angle from the u- to the v-member in the plane, degrees.
+    #[serde(serialize_with = "round::degrees")]
     pub angle_planar: f64,
 }
 
@@ -251,8 +288,10 @@ pub struct CrossingRecord {
 #[serde(deny_unknown_fields)]
 pub struct Positions {
     /// Deployed.
+    #[serde(serialize_with = "round::metres")]
     pub surface: f64,
     /// Flat.
+    #[serde(serialize_with = "round::metres")]
     pub planar: f64,
 }
 
@@ -267,15 +306,20 @@ pub struct LamellaRecord {
     /// Name of the material.
     pub material: String,
     /// Metres, end margins included.
+    #[serde(serialize_with = "round::metres")]
     pub length: f64,
     /// From the end of the lamella to the start of the member, metres: openings are measured
     /// from the start of the member.
+    #[serde(serialize_with = "round::metres")]
     pub end_margin: f64,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub width: f64,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub thickness: f64,
     /// Kilograms, openings subtracted.
+    #[serde(serialize_with = "round::kilograms")]
     pub mass: f64,
     /// Sorted along the lamella.
     pub openings: Vec<OpeningRecord>,
@@ -288,8 +332,10 @@ pub enum OpeningRecord {
     /// A round hole.
     Hole {
         /// Centre.
+        #[serde(serialize_with = "round::metres")]
         at: f64,
         /// Cut diameter, metres.
+        #[serde(serialize_with = "round::metres")]
         diameter: f64,
         /// Id of the crossing it serves.
         crossing: String,
@@ -297,10 +343,13 @@ pub enum OpeningRecord {
     /// An elongated hole: the bolt slides from `from` (flat) to `to` (deployed).
     Notch {
         /// Centre of the bolt in the flat state.
+        #[serde(serialize_with = "round::metres")]
         from: f64,
         /// Centre of the bolt in the deployed state.
+        #[serde(serialize_with = "round::metres")]
         to: f64,
         /// Cut width, metres; the cut is longer than |to - from| by this.
+        #[serde(serialize_with = "round::metres")]
         diameter: f64,
         /// Id of the crossing it serves.
         crossing: String,
@@ -316,12 +365,16 @@ pub struct SheetRecord {
     /// Name of the material.
     pub material: String,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub thickness: f64,
     /// Along the grain, metres.
+    #[serde(serialize_with = "round::metres")]
     pub length: f64,
     /// Across the grain, metres.
+    #[serde(serialize_with = "round::metres")]
     pub width: f64,
     /// Share of the panel's area that becomes parts.
+    #[serde(serialize_with = "round::share")]
     pub yield_share: f64,
     /// Parts by id.
     pub parts: Vec<PlacedPart>,
@@ -334,8 +387,10 @@ pub struct PlacedPart {
     /// Id of the lamella.
     pub lamella: String,
     /// Metres from the left.
+    #[serde(serialize_with = "round::metres")]
     pub x: f64,
     /// Metres from below.
+    #[serde(serialize_with = "round::metres")]
     pub y: f64,
 }
 
@@ -354,14 +409,18 @@ pub struct BomRow {
     /// Standard or dimensions.
     pub specification: String,
     /// How many are used.
+    #[serde(serialize_with = "round::quantity")]
     pub quantity: f64,
     /// `pcs`, `m`, `m2`, `kg`.
     pub unit: String,
     /// How many more to buy.
+    #[serde(serialize_with = "round::quantity")]
     pub spare: f64,
     /// Kilograms each, where known.
+    #[serde(serialize_with = "round::kilograms")]
     pub unit_mass: Option<f64>,
     /// Price each, where given.
+    #[serde(serialize_with = "round::quantity")]
     pub unit_cost: Option<f64>,
 }
 
