@@ -26,6 +26,9 @@ const PLAY: f64 = 0.1;
 /// Members that cross at a smaller planar angle share so long a contact that bolts cannot keep
 /// them apart, radians.
 const CROSSING: f64 = 10.0 * DEGREE;
+/// A later interval has to beat an earlier one by this much: symmetric patches take the acute
+/// angle, whatever the rounding of their mesh.
+const CLEARLY: f64 = 0.99;
 const DEGREE: f64 = std::f64::consts::PI / 180.0;
 
 /// What a plan has to keep.
@@ -206,7 +209,7 @@ pub fn choose_angle(maps: &Maps<'_>, demands: &Demands) -> AngleChoice {
         for end in [interval.0, interval.1] {
             let alpha = round_into(interval, end);
             let area = PlanarQuad::new(maps.sides, alpha).map_or(f64::INFINITY, |q| q.area());
-            if best.is_none_or(|(_, smallest)| area < smallest) && is_feasible(alpha) {
+            if best.is_none_or(|(_, smallest)| area < smallest * CLEARLY) && is_feasible(alpha) {
                 best = Some((alpha, area));
             }
         }

@@ -77,32 +77,50 @@ fn to_decimals(decimals: i32) -> impl Fn(f64) -> f64 {
 
 /// Lengths and coordinates in metres: to the nanometre, so that conditions of 1e-6 of a length
 /// can be checked on a written plan.
-pub(super) fn metres<T: Numbers, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn metres<T: Numbers, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     value.map(&to_decimals(9)).serialize(serializer)
 }
 
 /// Shares, slopes, ratios and components of unit vectors: to 1e-9.
-pub(super) fn share<T: Numbers, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn share<T: Numbers, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     value.map(&to_decimals(9)).serialize(serializer)
 }
 
 /// Angles in degrees: to 1e-6.
-pub(super) fn degrees<T: Numbers, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn degrees<T: Numbers, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     value.map(&to_decimals(6)).serialize(serializer)
 }
 
 /// Masses in kilograms: to the milligram.
-pub(super) fn kilograms<T: Numbers, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn kilograms<T: Numbers, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     value.map(&to_decimals(6)).serialize(serializer)
 }
 
 /// Areas and quantities of a bill: to 1e-6.
-pub(super) fn quantity<T: Numbers, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn quantity<T: Numbers, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     value.map(&to_decimals(6)).serialize(serializer)
 }
 
 /// Curvatures: to six significant digits, the estimate has no more.
-pub(super) fn curvature<T: Numbers, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+pub(super) fn curvature<T: Numbers, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     let significant = |x: f64| {
         if x == 0.0 || !x.is_finite() {
             return x + 0.0;

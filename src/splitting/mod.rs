@@ -1,0 +1,5 @@
+//! Feasibility of patches.
+
+mod coverage;
+
+pub use coverage::{Coverage, coverage};
