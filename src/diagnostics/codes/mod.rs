@@ -4,6 +4,7 @@
 //! the project file (`[lints]`). Codes are never reused.
 
 mod project;
+pub mod surface;
 
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -51,7 +52,7 @@ pub struct CodeInfo {
 
 /// All codes, in order.
 pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
-    [project::CODES].into_iter().flatten()
+    [project::CODES, surface::CODES].into_iter().flatten()
 }
 
 /// Looks a code up, `E0204` or `e0204`, or a lint by its name.
