@@ -99,6 +99,22 @@ impl Mesh {
         })
     }
 
+    /// BLAKE3 hash of the content: positions (by their bits) and faces. Meshes with equal
+    /// fingerprints are equal to every stage.
+    pub fn fingerprint(&self) -> [u8; 32] {
+        let mut hasher = blake3::Hasher::new();
+        hasher.update(&u64::from(self.vertex_count()).to_le_bytes());
+        for p in &self.positions {
+            for c in p.iter() {
+                hasher.update(&c.to_le_bytes());
+            }
+        }
+        for v in self.faces.iter().flatten() {
+            hasher.update(&v.to_le_bytes());
+        }
+        hasher.finalize().into()
+    }
+
     /// Number of vertices; their ids are `0..vertex_count()`.
     pub fn vertex_count(&self) -> u32 {
         self.positions.len() as u32
