@@ -2,11 +2,18 @@
 //!
 //! Lengths in metres, z up, faces counter-clockwise seen from outside (above).
 
+mod adjacency;
+pub mod generate;
 mod mesh;
 mod point;
+mod read;
+mod write;
 
-pub use mesh::{HalfEdge, Mesh, MeshDefect};
+pub use adjacency::MeshDefect;
+pub use mesh::{HalfEdge, Mesh};
 pub use point::{SurfacePoint, Tangent};
+pub use read::{NoVertex, ReadOptions, Side, SurfaceMesh, read_obj};
+pub use write::write_obj;
 
 /// A point in space, metres.
 pub type Point3 = nalgebra::Point3<f64>;

@@ -5,6 +5,7 @@
 
 mod cladding;
 mod project;
+pub mod surface;
 
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
@@ -52,7 +53,9 @@ pub struct CodeInfo {
 
 /// All codes, in order.
 pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
-    [project::CODES, cladding::CODES].into_iter().flatten()
+    [project::CODES, surface::CODES, cladding::CODES]
+        .into_iter()
+        .flatten()
 }
 
 /// Looks a code up, `E0204` or `e0204`, or a lint by its name.
