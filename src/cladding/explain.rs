@@ -5,31 +5,20 @@
 //! `members`, `width`), which the build translates into the project's keys.
 
 use super::{AngleChoice, Infeasible, Obstacle, TraceFailure};
+use crate::diagnostics::codes::cladding as codes;
 use crate::diagnostics::{Code, Diagnostic};
 use crate::project::model::Family;
 
-const NO_PLAN: Code = Code::new("E0501");
-const NO_CLADDING: Code = Code::new("E0502");
-const SLOPE: Code = Code::new("E0503");
-const OVERLAP: Code = Code::new("E0504");
-const SHARP: Code = Code::new("E0505");
-const CONGRUENT: Code = Code::new("E0506");
-
 /// Says why a patch has no plan. `given` tells whether the user chose the angle.
-pub fn explain(
-    patch: &str,
-    choice: &AngleChoice,
-    infeasible: &Infeasible,
-    given: bool,
-) -> Diagnostic {
+pub fn explain(choice: &AngleChoice, infeasible: &Infeasible, given: bool) -> Diagnostic {
     let angle = degrees(infeasible.alpha);
     let at = if given {
         format!("with the planar angle of {angle}")
     } else {
         format!("at any planar angle; {angle} comes closest")
     };
-    let (code, message, key, label, help) = describe(patch, &infeasible.obstacle, &at);
-    let mut diagnostic = Diagnostic::error(code, message).about(patch);
+    let (code, message, key, label, help) = describe(&infeasible.obstacle, &at);
+    let mut diagnostic = Diagnostic::error(code, message);
     diagnostic = if given {
         diagnostic.at_key(".alpha", "this angle does not work")
     } else {
@@ -57,20 +46,20 @@ pub fn explain(
 
 type Words = (Code, String, &'static str, &'static str, String);
 
-fn describe(patch: &str, obstacle: &Obstacle, at: &str) -> Words {
+fn describe(obstacle: &Obstacle, at: &str) -> Words {
     let split = "move the corners so that the patch covers less of the curvature, or split it";
     match *obstacle {
         Obstacle::NotConvex(_) => (
-            NO_PLAN,
-            format!("patch `{patch}` has no convex plan: its four sides do not close {at}"),
+            codes::NO_PLAN,
+            format!("the patch has no convex plan: its four sides do not close {at}"),
             ".",
             "sides of these lengths make no convex quadrilateral",
             "move the corners so that no side is as long as the other three together".into(),
         ),
         Obstacle::Flat(margin) => (
-            NO_PLAN,
+            codes::NO_PLAN,
             format!(
-                "patch `{patch}` has no plan {at}: a corner is within {} of a straight angle",
+                "the patch has no plan {at}: a corner is within {} of a straight angle",
                 degrees(margin)
             ),
             ".",
@@ -78,9 +67,9 @@ fn describe(patch: &str, obstacle: &Obstacle, at: &str) -> Words {
             "move the corners so that opposite sides are of similar length".into(),
         ),
         Obstacle::NoCladding(family, TraceFailure::TurnsBack { at: shares }) => (
-            NO_CLADDING,
+            codes::NO_CLADDING,
             format!(
-                "patch `{patch}` has no cladding function of the {}-family {at}: equal lengths \
+                "the patch has no cladding function of the {}-family {at}: equal lengths \
                  exist only up to {:.0} % of its start side and {:.0} % of its end side",
                 letter(family),
                 100.0 * shares[0],
@@ -91,9 +80,9 @@ fn describe(patch: &str, obstacle: &Obstacle, at: &str) -> Words {
             split.into(),
         ),
         Obstacle::NoCladding(family, TraceFailure::Congruent { at: shares }) => (
-            CONGRUENT,
+            codes::CONGRUENT,
             format!(
-                "patch `{patch}` is as wide in the plane as on the surface {at}: near {:.0} % of \
+                "the patch is as wide in the plane as on the surface {at}: near {:.0} % of \
                  the start side the lengths of the {}-family single out no members",
                 100.0 * shares[0],
                 letter(family)
@@ -103,9 +92,9 @@ fn describe(patch: &str, obstacle: &Obstacle, at: &str) -> Words {
             "take an angle further from the one on the surface".into(),
         ),
         Obstacle::Slope(family, [low, high]) => (
-            SLOPE,
+            codes::SLOPE,
             format!(
-                "members of patch `{patch}` bunch {at}: the cladding function of the {}-family \
+                "members of the patch bunch {at}: the cladding function of the {}-family \
                  has slopes from {low:.2} to {high:.2}",
                 letter(family)
             ),
@@ -114,9 +103,9 @@ fn describe(patch: &str, obstacle: &Obstacle, at: &str) -> Words {
             format!("{split}; or allow slopes down to {low:.2} and up to {high:.2}"),
         ),
         Obstacle::Overlap(family, [gap, needed]) => (
-            OVERLAP,
+            codes::OVERLAP,
             format!(
-                "flat lamellae of patch `{patch}` overlap {at}: members of the {}-family come as \
+                "flat lamellae overlap {at}: members of the {}-family come as \
                  close as {} where {} are needed",
                 letter(family),
                 millimetres(gap),
@@ -127,11 +116,8 @@ fn describe(patch: &str, obstacle: &Obstacle, at: &str) -> Words {
             "take fewer members or narrower lamellae".into(),
         ),
         Obstacle::Sharp(angle) => (
-            SHARP,
-            format!(
-                "members of patch `{patch}` cross at {} in the plane {at}",
-                degrees(angle)
-            ),
+            codes::SHARP,
+            format!("members cross at {} in the plane {at}", degrees(angle)),
             ".",
             "no bolt holds lamellae apart that cross at so small an angle",
             "move the corners so that opposite sides are of similar length".into(),

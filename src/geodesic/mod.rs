@@ -23,6 +23,7 @@
 //! is no path between components: [`GeodesicError::Unreachable`].
 
 mod charts;
+mod crossing;
 mod error;
 mod field;
 mod path;
@@ -33,6 +34,7 @@ mod trim;
 mod variation;
 mod window;
 
+pub use crossing::{Curve, Hit, crossings};
 pub use error::GeodesicError;
 pub use field::{Arrival, Field};
 pub use path::Path;

@@ -1,7 +1,7 @@
 //! Lamellae: what is cut of a member, with its holes and notches.
 
 use super::{Crossing, Positions};
-use crate::members::{Member, crossing_id};
+use crate::members::{Member, crossing_label};
 use crate::project::model::Family;
 use serde::{Deserialize, Serialize};
 
@@ -42,8 +42,10 @@ pub struct Lamella {
 /// An opening. Positions are arc lengths from the start of the member, metres.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Opening {
-    /// Id of the crossing that it serves.
-    pub crossing: String,
+    /// Index of the u-member of the crossing that it serves.
+    pub u: u32,
+    /// Index of the v-member of that crossing.
+    pub v: u32,
     /// Centre of the bolt in the flat state.
     pub from: f64,
     /// Centre of the bolt in the deployed state; the same for a round hole.
@@ -64,6 +66,11 @@ impl Opening {
         (self.from.min(self.to) - half, self.from.max(self.to) + half)
     }
 
+    /// The crossing that it serves: `u03-v05`.
+    pub fn label(&self) -> String {
+        crossing_label(self.u, self.v)
+    }
+
     /// Cut area, square metres.
     pub fn area(&self) -> f64 {
         let round = 0.25 * std::f64::consts::PI * self.diameter * self.diameter;
@@ -72,14 +79,13 @@ impl Opening {
 }
 
 /// The lamella of a member. `crossings` are those of its patch.
-pub fn lamella(patch: &str, member: &Member, crossings: &[Crossing], section: &Section) -> Lamella {
+pub fn lamella(member: &Member, crossings: &[Crossing], section: &Section) -> Lamella {
     let mut openings: Vec<Opening> = crossings
         .iter()
         .filter_map(|crossing| {
             let on = position_on(member, crossing)?;
             Some(opening(
-                crossing_id(patch, crossing.u, crossing.v),
-                member,
+ crossing, member,
                 on,
                 section,
             ))
@@ -107,7 +113,7 @@ fn position_on(member: &Member, crossing: &Crossing) -> Option<Positions> {
 
 /// Boundary members and the ends of inner ones get round holes for the bolt; inner crossings get
 /// a notch on both lamellae (method notes, section 5).
-fn opening(crossing: String, member: &Member, on: Positions, section: &Section) -> Opening {
+fn opening(crossing: &Crossing, member: &Member, on: Positions, section: &Section) -> Opening {
     let length = member.length_surface();
     let at_end = on.surface <= 0.0 || on.surface >= length;
     let slides = !member.boundary && !at_end;
@@ -119,7 +125,8 @@ fn opening(crossing: String, member: &Member, on: Positions, section: &Section) 
         (on.surface, on.surface)
     };
     Opening {
-        crossing,
+        u: crossing.u,
+        v: crossing.v,
         from,
         to,
         diameter,

@@ -1,9 +1,11 @@
 //! The grid of a patch: crossings of the two families, notches, lamellae, the flat state.
 
-mod crossing;
+mod check;
+
 mod lamella;
 mod net;
 
-pub use crossing::{Curve, Hit, crossings};
+pub use check::{check_flat_state, check_lamellae};
+
 pub use lamella::{Lamella, Opening, Section, lamella};
 pub use net::{Crossing, Miscrossing, Positions, crossings_of};

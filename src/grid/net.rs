@@ -1,8 +1,8 @@
 //! The grid of a patch: every crossing of its two families, on the surface and in the plane.
 
-use super::crossing::{Curve, Hit, crossings};
 use crate::cladding::Point2;
 use crate::geodesic::angle_between;
+use crate::geodesic::{Curve, Hit, crossings};
 use crate::members::Member;
 use crate::surface::{Mesh, SurfacePoint};
 use serde::{Deserialize, Serialize};

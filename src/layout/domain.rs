@@ -81,6 +81,25 @@ impl Domain {
         )
     }
 
+    /// Whether the corners run counter-clockwise seen from outside, so that the patch lies on the
+    /// left of its sides: by the sense in which most corners turn.
+    pub fn turns_left(&self) -> bool {
+        let [ab, bc, dc, ad] = [&self.ab, &self.bc, &self.dc, &self.ad].map(Side::path);
+        // From the way on to the way back, at A, B, C and D.
+        let turns = [
+            ab.start.direction.cross(&ad.start.direction),
+            ab.end.direction.cross(&bc.start.direction),
+            dc.end.direction.cross(&bc.end.direction),
+            dc.start.direction.cross(&ad.end.direction),
+        ];
+        let corners = self.corners();
+        let left = turns
+            .iter()
+            .zip(corners)
+            .filter(|(turn, corner)| turn.dot(&corner.normal(&self.mesh)) > 0.0);
+        left.count() > 2
+    }
+
     /// The loop A, B, C, D as points, each corner once.
     pub fn ring(&self) -> Vec<SurfacePoint> {
         let mut ring = Vec::new();

@@ -36,22 +36,27 @@ impl Member {
     }
 }
 
-/// Id of a member: `west.u03`, counted from 1.
-pub fn member_id(patch: &str, family: Family, index: u32) -> String {
-    format!("{patch}.{}", label(family, index))
-}
-
-/// Id of a crossing: `west.u03-v05`, counted from 1.
-pub fn crossing_id(patch: &str, u: u32, v: u32) -> String {
-    format!("{patch}.{}-{}", label(Family::U, u), label(Family::V, v))
-}
-
-fn label(family: Family, index: u32) -> String {
+/// Name of a member within its patch, counted from 1: `u03`.
+pub fn member_label(family: Family, index: u32) -> String {
     let letter = match family {
         Family::U => 'u',
         Family::V => 'v',
     };
     format!("{letter}{:02}", index + 1)
+}
+
+/// Name of a crossing within its patch: `u03-v05`.
+pub fn crossing_label(u: u32, v: u32) -> String {
+    format!(
+        "{}-{}",
+        member_label(Family::U, u),
+        member_label(Family::V, v)
+    )
+}
+
+/// Id of a member or a crossing in the structure: `west.u03`.
+pub fn id_in(patch: &str, label: &str) -> String {
+    format!("{patch}.{label}")
 }
 
 #[cfg(test)]
@@ -60,8 +65,8 @@ mod tests {
 
     #[test]
     fn ids_start_with_the_users_name_and_count_from_one() {
-        assert_eq!(member_id("west", Family::U, 2), "west.u03");
-        assert_eq!(member_id("west", Family::V, 99), "west.v100");
-        assert_eq!(crossing_id("west", 2, 4), "west.u03-v05");
+        assert_eq!(id_in("west", &member_label(Family::U, 2)), "west.u03");
+        assert_eq!(id_in("west", &member_label(Family::V, 99)), "west.v100");
+        assert_eq!(id_in("west", &crossing_label(2, 4)), "west.u03-v05");
     }
 }

@@ -1,6 +1,24 @@
-//! Codes of cladding: `E05xx`.
+//! Codes of cladding: `E05xx` and lints `W05xx`.
 
-use super::CodeInfo;
+use super::{Code, CodeInfo};
+
+/// No convex plan.
+pub const NO_PLAN: Code = Code::new("E0501");
+/// No cladding function.
+pub const NO_CLADDING: Code = Code::new("E0502");
+/// Slopes out of bounds.
+pub const SLOPE: Code = Code::new("E0503");
+/// Flat lamellae overlap.
+pub const OVERLAP: Code = Code::new("E0504");
+/// Members cross at too small an angle.
+pub const SHARP: Code = Code::new("E0505");
+/// The plan has the shape of the patch.
+pub const CONGRUENT: Code = Code::new("E0506");
+
+/// Shortest geodesics pass beside a peak.
+pub const UNCOVERED: Code = Code::new("W0501");
+/// The diagonals do not exchange their lengths.
+pub const DIAGONALS: Code = Code::new("W0502");
 
 pub(super) const CODES: &[CodeInfo] = &[
     CodeInfo {
@@ -76,5 +94,27 @@ Where the flat quadrilateral has the shape of the patch itself, all distances ag
 length selects no members. It would also be a grid that does not move: deployment lives from the \
 difference between the flat and the deployed angles. Choose an `alpha` further from the angle on \
 the surface.",
+    },
+    CodeInfo {
+        code: "W0501",
+        name: "uncovered-peak",
+        title: "shortest geodesics pass beside a peak of curvature",
+        text: "\
+The way over a peak of Gaussian curvature, from the closest point of one side to the opposite side, \
+is longer than the shortest geodesic between its ends by the factor η. Above `split.eta_max` \
+(1.0015) members leave a hole around the peak, and the grid does not describe the surface there \
+(paper, section 4.1).
+
+Split the patch so that a side runs over the peak (one family is affected) or a corner stands on it \
+(both are).",
+    },
+    CodeInfo {
+        code: "W0502",
+        name: "diagonals",
+        title: "both diagonals change in the same direction",
+        text: "\
+When a grid collapses, one diagonal gets longer and the other one shorter. Here both diagonals of \
+the plan are longer, or both shorter, than those of the surface patch, which speaks against a \
+smooth deployment (paper, Expression 2). Choose another `alpha`.",
     },
 ];

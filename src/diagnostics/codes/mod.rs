@@ -3,7 +3,9 @@
 //! `E` codes stop the build of their subject, `W` codes are lints that can be allowed by name in
 //! the project file (`[lints]`). Codes are never reused.
 
-mod cladding;
+pub mod cladding;
+pub mod grid;
+pub mod layout;
 mod project;
 pub mod surface;
 
@@ -53,9 +55,15 @@ pub struct CodeInfo {
 
 /// All codes, in order.
 pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
-    [project::CODES, surface::CODES, cladding::CODES]
-        .into_iter()
-        .flatten()
+    [
+        project::CODES,
+        surface::CODES,
+        layout::CODES,
+        cladding::CODES,
+        grid::CODES,
+    ]
+    .into_iter()
+    .flatten()
 }
 
 /// Looks a code up, `E0204` or `e0204`, or a lint by its name.

@@ -1,0 +1,75 @@
+//! Codes of members and the grid: `E06xx` and lints `W06xx`.
+
+use super::{Code, CodeInfo};
+
+/// A member without equal lengths.
+pub const NO_MEMBER: Code = Code::new("E0601");
+/// Members that do not meet once.
+pub const MISCROSSING: Code = Code::new("E0602");
+/// Openings that run into each other.
+pub const OPENINGS_OVERLAP: Code = Code::new("E0603");
+/// A notch beyond the end of a lamella.
+pub const OPENING_AT_END: Code = Code::new("E0604");
+
+/// Little material between two openings.
+pub const THIN_WEB: Code = Code::new("W0601");
+/// Flat lamellae that lie on each other.
+pub const FLAT_OVERLAP: Code = Code::new("W0602");
+
+pub(super) const CODES: &[CodeInfo] = &[
+    CodeInfo {
+        code: "E0601",
+        name: "no-member",
+        title: "a member has no end point of equal length",
+        text: "\
+Members are solved on exact distances after the cladding function has said where they end. No \
+point of the end side near that place makes the lengths on the surface and in the plane equal. \
+This happens where shortest geodesics jump from one side of a hill to the other: the patch is not \
+covered around the peak (see the η of the patch). Split the patch over the peak.",
+    },
+    CodeInfo {
+        code: "E0602",
+        name: "crossing-count",
+        title: "two members do not cross exactly once",
+        text: "\
+Every u-member of a patch has to meet every v-member once, on the surface and in the plane: that is \
+what makes the grid a mechanism. On the surface two shortest geodesics that meet twice run around a \
+peak of curvature on both sides. Split the patch over the peak or choose another `alpha`.",
+    },
+    CodeInfo {
+        code: "E0603",
+        name: "openings-overlap",
+        title: "two openings of a lamella run into each other",
+        text: "\
+A notch reaches from the place of the bolt in the flat state to its place in the deployed state. \
+Here neighbouring notches overlap: cut like that, bolts could pass from one to the other.
+
+Take fewer members of the crossing family, make the patch smaller (notches grow with its \
+curvature), or choose an `alpha` that moves the bolts less.",
+    },
+    CodeInfo {
+        code: "E0604",
+        name: "opening-at-end",
+        title: "an opening reaches the end of its lamella",
+        text: "\
+The lamella ends `fabrication.end_margin` beyond its last bolt. An opening must stay inside, with \
+half its width of material around it. Give a larger end margin.",
+    },
+    CodeInfo {
+        code: "W0601",
+        name: "thin-web",
+        title: "little material stays between two openings",
+        text: "\
+Between two openings of a lamella at least 1.5 bolt diameters of material should stay: it carries \
+the bending moment past both, and it has to survive the assembly. Take fewer members, a thinner \
+bolt or shell, or another `alpha`.",
+    },
+    CodeInfo {
+        code: "W0602",
+        name: "lamellae-overlap",
+        title: "flat lamellae of one family lie on each other",
+        text: "\
+In the flat state two neighbouring lamellae of one family are closer than their width. They are in \
+one layer and cannot both lie flat. Take fewer members or a larger `alpha`.",
+    },
+];
