@@ -84,11 +84,7 @@ pub fn lamella(member: &Member, crossings: &[Crossing], section: &Section) -> La
         .iter()
         .filter_map(|crossing| {
             let on = position_on(member, crossing)?;
-            Some(opening(
- crossing, member,
-                on,
-                section,
-            ))
+            Some(opening(crossing, member, on, section))
         })
         .collect();
     openings.sort_by(|a, b| a.extent().0.total_cmp(&b.extent().0));

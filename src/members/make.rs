@@ -41,10 +41,20 @@ pub fn make_members(
         .map(|i| {
             let index = i as u32;
             if i == 0 {
-                return Ok(boundary_member(&between, index, 0.0, first_side.path().clone()));
+                return Ok(boundary_member(
+                    &between,
+                    index,
+                    0.0,
+                    first_side.path().clone(),
+                ));
             }
             if i == last {
-                return Ok(boundary_member(&between, index, 1.0, last_side.path().clone()));
+                return Ok(boundary_member(
+                    &between,
+                    index,
+                    1.0,
+                    last_side.path().clone(),
+                ));
             }
             let guess = clad.function(family).at(shares[i]).0;
             refine(&geodesics, &between, index, Given::Start, shares[i], guess)

@@ -40,7 +40,7 @@ pub struct Plan {
 }
 
 /// The design surface.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SurfaceRecord {
     /// Number of vertices.
@@ -58,7 +58,7 @@ pub struct SurfaceRecord {
 }
 
 /// An interval.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Range {
     /// Lower end.
@@ -436,6 +436,26 @@ pub struct DiagnosticRecord {
     pub message: String,
     /// Id of the thing it is about.
     pub subject: Option<String>,
+}
+
+impl Default for Plan {
+    /// An empty plan of the current format.
+    fn default() -> Self {
+        Self {
+            format: super::FORMAT,
+            name: String::new(),
+            surface: SurfaceRecord::default(),
+            points: Vec::new(),
+            edges: Vec::new(),
+            patches: Vec::new(),
+            members: Vec::new(),
+            crossings: Vec::new(),
+            lamellae: Vec::new(),
+            sheets: Vec::new(),
+            bill_of_materials: Vec::new(),
+            diagnostics: Vec::new(),
+        }
+    }
 }
 
 impl From<&Diagnostic> for DiagnosticRecord {

@@ -6,7 +6,8 @@ use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::cladding as codes;
 use crate::geodesic::{GeodesicError, Geodesics};
 use crate::layout::{Domain, vertices_inside};
-use crate::surface::{Curvature, Mesh, PeakOptions, Point3, SurfacePoint, peaks};
+use crate::surface::curvature::{BORDER_RINGS, Curvature, PeakOptions, peaks};
+use crate::surface::{Mesh, Point3, SurfacePoint};
 use serde::{Deserialize, Serialize};
 
 /// What speaks for and against a patch before it is clad.
@@ -75,11 +76,11 @@ fn highest(
     region: &[u32],
     a: SurfacePoint,
 ) -> (f64, SurfacePoint) {
-    let rings = mesh.rings_from_border(crate::surface::BORDER_RINGS);
+    let rings = mesh.rings_from_border(BORDER_RINGS);
     let at_a = (curvature.gaussian_at(mesh, &a), a);
     region
         .iter()
-        .filter(|&&v| rings[v as usize] > crate::surface::BORDER_RINGS)
+        .filter(|&&v| rings[v as usize] > BORDER_RINGS)
         .map(|&v| (curvature.vertex(v).gaussian(), SurfacePoint::Vertex(v)))
         .reduce(|best, next| if next.0 > best.0 { next } else { best })
         .unwrap_or(at_a)
