@@ -4,6 +4,7 @@
 //! Lengths in metres, angles in radians (degrees exist only in the file), masses in kilograms,
 //! stresses in pascals. Names keep the order of the file.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A whole project.
@@ -51,7 +52,7 @@ pub struct Surface {
 }
 
 /// An axis of the mesh file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Axis {
     /// x.
@@ -129,17 +130,7 @@ pub struct Distribution {
 
 /// One of the two families of members.
 #[derive(
-    Debug,
-    Clone,
-    Copy,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Hash,
-    Serialize,
-    Deserialize,
-    schemars::JsonSchema,
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema,
 )]
 #[serde(rename_all = "lowercase")]
 pub enum Family {
@@ -169,7 +160,7 @@ pub struct Material {
 }
 
 /// Grain of a lamella.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Grain {
     /// Along the lamella: the usual case, and the stiff one.
@@ -196,7 +187,7 @@ pub struct Split {
 }
 
 /// How patches are split.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Workflow {
     /// Patches are taken as they are and checked.
@@ -230,7 +221,7 @@ pub enum SupportPlaces {
 }
 
 /// What a support is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SupportKind {
     /// A printed foot.
@@ -332,7 +323,7 @@ pub struct Bed {
 }
 
 /// Colour and layer conventions of cut files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ColourPreset {
     /// Red cuts, blue scores, black engraves.
@@ -342,7 +333,7 @@ pub enum ColourPreset {
 }
 
 /// How a long lamella is joined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SpliceKind {
     /// In-plane fingers, cut and glued.

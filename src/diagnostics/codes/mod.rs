@@ -53,6 +53,18 @@ pub struct CodeInfo {
     pub text: &'static str,
 }
 
+impl CodeInfo {
+    /// Whether it is a lint: a warning that a project can allow by name.
+    pub fn is_lint(&self) -> bool {
+        self.code.starts_with('W')
+    }
+}
+
+/// All lints, in order.
+pub fn lints() -> impl Iterator<Item = &'static CodeInfo> {
+    all().filter(|info| info.is_lint())
+}
+
 /// All codes, in order.
 pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
     [

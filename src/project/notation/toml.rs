@@ -1,0 +1,113 @@
+//! TOML into the tree, by the `toml` crate's recovering parser: it reports every syntax error
+//! of the file, not only the first, and keeps the bytes of keys and values.
+
+use super::{DEEPEST, Entry, Node, Number, SyntaxError, SyntaxKind, Value};
+use ::toml::Spanned;
+use ::toml::de::{DeArray, DeInteger, DeTable, DeValue, Error};
+
+pub(super) fn parse(text: &str) -> (Node, Vec<SyntaxError>) {
+    let (table, errors) = DeTable::parse_recoverable(text);
+    let mut errors: Vec<_> = errors
+        .iter()
+        .map(|error| syntax_error(error, text))
+        .collect();
+    let root = Node {
+        span: 0..text.len(),
+        value: Value::Table(entries(table.get_ref(), 1, &mut errors)),
+    };
+    dismantle(table.into_inner());
+    (root, errors)
+}
+
+fn node(value: &Spanned<DeValue<'_>>, depth: usize, errors: &mut Vec<SyntaxError>) -> Node {
+    let span = value.span();
+    let too_deep = SyntaxError {
+        span: span.clone(),
+        kind: SyntaxKind::TooDeep,
+    };
+    let value = match value.get_ref() {
+        DeValue::String(text) => Value::Text(text.to_string()),
+        DeValue::Integer(integer) => integer_value(integer),
+        DeValue::Float(float) => Value::Number(Number {
+            text: float.as_str().to_owned(),
+            whole: false,
+        }),
+        DeValue::Boolean(bool) => Value::Bool(*bool),
+        DeValue::Datetime(_) => Value::Other("a date or time"),
+        DeValue::Array(_) | DeValue::Table(_) if depth >= DEEPEST => {
+            errors.push(too_deep);
+            Value::Other("a value nested too deep")
+        }
+        DeValue::Array(array) => Value::List(items(array, depth + 1, errors)),
+        DeValue::Table(table) => Value::Table(entries(table, depth + 1, errors)),
+    };
+    Node { span, value }
+}
+
+fn items(array: &DeArray<'_>, depth: usize, errors: &mut Vec<SyntaxError>) -> Vec<Node> {
+    array.iter().map(|item| node(item, depth, errors)).collect()
+}
+
+fn entries(table: &DeTable<'_>, depth: usize, errors: &mut Vec<SyntaxError>) -> Vec<Entry> {
+    let mut entries: Vec<_> = table
+        .iter()
+        .map(|(key, value)| Entry {
+            key: key.get_ref().to_string(),
+            key_span: key.span(),
+            node: node(value, depth, errors),
+        })
+        .collect();
+    // The parser sorts by name; names keep the order of the file.
+    entries.sort_by_key(|entry| entry.key_span.start);
+    entries
+}
+
+fn integer_value(integer: &DeInteger<'_>) -> Value {
+    let text = match integer.radix() {
+        10 => integer.as_str().to_owned(),
+        radix => match u128::from_str_radix(integer.as_str(), radix) {
+            Ok(value) => value.to_string(),
+            Err(_) => return Value::Other("a whole number of more than 128 bits"),
+        },
+    };
+    Value::Number(Number { text, whole: true })
+}
+
+fn syntax_error(error: &Error, text: &str) -> SyntaxError {
+    let span = error.span().unwrap_or(text.len()..text.len());
+    let message = error.message();
+    match message {
+        "duplicate key" => SyntaxError {
+            span,
+            kind: SyntaxKind::DuplicateKey,
+        },
+        "cannot recurse further; max recursion depth met" | "recursion limit" => SyntaxError {
+            span,
+            kind: SyntaxKind::TooDeep,
+        },
+        _ => {
+            let (found, expected) = message.split_once(", expected ").unwrap_or((message, ""));
+            let label = if expected.is_empty() {
+                "here".to_owned()
+            } else {
+                format!("expected {expected}")
+            };
+            SyntaxError::syntax(span, format!("TOML syntax: {found}"), label)
+        }
+    }
+}
+
+/// Takes a table apart level by level. Dotted keys in nested inline tables reach thousands of
+/// levels within the parser's limits, and dropping those recursively would end the stack.
+fn dismantle(table: DeTable<'_>) {
+    let mut rest = vec![DeValue::Table(table)];
+    while let Some(value) = rest.pop() {
+        match value {
+            DeValue::Table(table) => {
+                rest.extend(table.into_iter().map(|(_, value)| value.into_inner()));
+            }
+            DeValue::Array(array) => rest.extend(array.into_iter().map(Spanned::into_inner)),
+            _ => {}
+        }
+    }
+}
