@@ -3,6 +3,7 @@
 //! `E` codes stop the build of their subject, `W` codes are lints that can be allowed by name in
 //! the project file (`[lints]`). Codes are never reused.
 
+mod build;
 pub mod cladding;
 pub mod grid;
 pub mod layout;
@@ -73,6 +74,7 @@ pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
         layout::CODES,
         cladding::CODES,
         grid::CODES,
+        build::CODES,
     ]
     .into_iter()
     .flatten()

@@ -1,0 +1,330 @@
+//! One pass over a graph: looks up what is known ([`settle`]), runs what is not ([`execute`]).
+//!
+//! Planning and building are the same pass; planning stops before anything runs. An instance
+//! moves through these states:
+//!
+//! ```text
+//!                 ┌─► Cached ──┐ (its value is needed but lost)
+//! Waiting ─► key ─┼─► Failed   ▼
+//!    │            └─► Due ─► Running ─► Ran, Failed
+//!    └─► Skipped (a dependency failed)
+//! ```
+//!
+//! An instance has a key as soon as all its dependencies have results, by look-up or by running.
+
+mod estimate;
+mod execute;
+mod outcome;
+mod planning;
+mod settle;
+mod why;
+mod worker;
+
+use super::declare::{Declared, Graph};
+use super::event::{Event, How};
+use super::key::{Digest, PortKind};
+use super::needs::Value;
+use super::reason::Reason;
+use super::request::Request;
+use super::store::Store;
+use super::store::trace::Head;
+use super::store::worktree::{InstanceRecord, Worktree};
+use crate::diagnostics::{Code, Diagnostic};
+use estimate::Progress;
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::time::Duration;
+
+pub(super) use execute::{Conditions, unwritable};
+pub use outcome::BuiltStage;
+pub(super) use outcome::{Kept, Publisher, retire};
+pub(super) use settle::damage_notice;
+
+/// The state of one pass.
+pub(super) struct Session<'p, 's> {
+    store: Arc<Store>,
+    worktree: &'s Worktree,
+    build_id: Option<&'s str>,
+    request: &'s Request,
+    graph: Graph<'p>,
+    entries: Vec<Entry>,
+    names: HashMap<Arc<super::declare::Instance>, usize>,
+    /// Results known to the last build, by key.
+    recorded: HashMap<Digest, usize>,
+    /// Results found or made in this pass, by key.
+    results: BTreeMap<Digest, Arc<Head>>,
+    /// Instances whose state may have to change.
+    agenda: BTreeSet<usize>,
+    /// Keys of instances that ran although their result was known.
+    forced: BTreeSet<Digest>,
+    /// What the engine itself has to tell.
+    notices: Vec<Diagnostic>,
+    /// The store refused a write: values live in memory only.
+    memory_only: bool,
+    /// A result that others were built on came out differently: everything has to be looked up
+    /// again.
+    unsettled: bool,
+    /// Instances that are due and not queued.
+    due: BTreeSet<usize>,
+    /// Instances that have ended since the last event.
+    news: Vec<usize>,
+    progress: Progress,
+    scratch: Vec<u8>,
+}
+
+/// One instance.
+struct Entry {
+    status: Status,
+    wanted: bool,
+    key: Option<Digest>,
+    head: Option<Arc<Head>>,
+    slot: Arc<Slot>,
+    reasons: Vec<Reason>,
+    /// Diagnostics that are not part of a kept result.
+    told: Vec<Diagnostic>,
+    /// Indices of dependencies and dependents, each once.
+    needs: Vec<usize>,
+    dependents: Vec<usize>,
+    /// Number of dependents that may still want the value.
+    open_dependents: usize,
+    /// How long it took this time.
+    ran: Option<Duration>,
+    /// How long it may take, and how long everything that waits for it may take with it.
+    estimate: Option<Duration>,
+    urgency: Duration,
+}
+
+/// Where an instance stands.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Status {
+    /// A dependency has no result yet.
+    Waiting,
+    /// The result is known.
+    Cached,
+    /// It has to run.
+    Due,
+    /// It is running.
+    Running,
+    /// It has run.
+    Ran,
+    /// There is no result; for good if there is a head.
+    Failed,
+    /// A dependency failed; for good if that one did.
+    Skipped { lasting: bool },
+    /// The build ended before it was finished.
+    Stopped,
+}
+
+impl Status {
+    fn has_result(self) -> bool {
+        matches!(self, Self::Cached | Self::Ran)
+    }
+
+    fn is_final(self) -> bool {
+        !matches!(self, Self::Waiting | Self::Due | Self::Running)
+    }
+}
+
+impl Entry {
+    /// How it ended, if it has.
+    fn how(&self) -> Option<How> {
+        Some(match self.status {
+            Status::Cached => How::Cached,
+            Status::Ran => How::Ran,
+            Status::Failed if self.head.is_some() && self.ran.is_none() => How::FailedCached,
+            Status::Failed => How::Failed,
+            Status::Skipped { .. } => How::Skipped,
+            Status::Stopped => How::Stopped,
+            Status::Waiting | Status::Due | Status::Running => return None,
+        })
+    }
+}
+
+/// Holds a value while somebody may need it. Whoever loads it from the store holds the lock, so
+/// that it is loaded once.
+#[derive(Default)]
+pub(super) struct Slot(Mutex<Option<Value>>);
+
+impl Slot {
+    pub(super) fn lock(&self) -> MutexGuard<'_, Option<Value>> {
+        // A value is stored whole or not at all: a panic elsewhere leaves nothing half done.
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+impl<'p, 's> Session<'p, 's> {
+    /// Declares the graph and looks up everything that can be looked up.
+    pub(super) fn open(
+        store: Arc<Store>,
+        worktree: &'s Worktree,
+        build_id: Option<&'s str>,
+        request: &'s Request,
+        results: BTreeMap<Digest, Arc<Head>>,
+        declare: &dyn Fn(&mut Graph<'p>),
+    ) -> Self {
+        let recorded = worktree
+            .instances
+            .iter()
+            .enumerate()
+            .map(|(index, record)| (record.key, index))
+            .collect();
+        let mut graph = Graph::default();
+        declare(&mut graph);
+        let mut session = Self {
+            store,
+            worktree,
+            build_id,
+            request,
+            graph,
+            entries: Vec::new(),
+            names: HashMap::new(),
+            recorded,
+            results,
+            agenda: BTreeSet::new(),
+            forced: BTreeSet::new(),
+            notices: Vec::new(),
+            memory_only: false,
+            unsettled: false,
+            due: BTreeSet::new(),
+            news: Vec::new(),
+            progress: Progress::default(),
+            scratch: Vec::new(),
+        };
+        session.grow();
+        session.settle();
+        session.news.clear();
+        session
+    }
+
+    /// Takes up instances that were declared since.
+    fn grow(&mut self) {
+        let known = self.entries.len();
+        for index in known..self.graph.nodes.len() {
+            let declared = &self.graph.nodes[index];
+            let mut needs: Vec<usize> = declared.ports.list.iter().map(|port| port.node).collect();
+            needs.sort_unstable();
+            needs.dedup();
+            for &need in &needs {
+                self.entries[need].dependents.push(index);
+            }
+            let estimate = self
+                .worktree
+                .instance(&declared.instance)
+                .map(|record| record.head.duration());
+            self.entries.push(Entry {
+                status: Status::Waiting,
+                wanted: false,
+                key: None,
+                head: None,
+                slot: Arc::default(),
+                reasons: Vec::new(),
+                told: Vec::new(),
+                needs,
+                dependents: Vec::new(),
+                open_dependents: 0,
+                ran: None,
+                estimate,
+                urgency: Duration::ZERO,
+            });
+            let twin = self.names.insert(declared.instance.clone(), index);
+            if twin.is_some() {
+                let what = format!("`{}` is declared twice", declared.instance);
+                self.entries[index].told.push(internal(DUPLICATE, what));
+                self.entries[index].status = Status::Failed;
+            }
+            self.agenda.insert(index);
+        }
+        self.select();
+        self.weigh();
+    }
+
+    /// Marks what the request asks for, with everything that it needs.
+    fn select(&mut self) {
+        let mut unfolding = vec![false; self.entries.len()];
+        for (root, _) in &self.graph.unfolds {
+            unfolding[*root] = true;
+        }
+        for index in (0..self.entries.len()).rev() {
+            let entry = &self.entries[index];
+            let wanted = entry.wanted
+                || unfolding[index]
+                || entry.dependents.iter().any(|&d| self.entries[d].wanted)
+                || self.request.selects(&self.graph.nodes[index].instance);
+            if wanted && !entry.wanted {
+                self.agenda.insert(index);
+            }
+            self.entries[index].wanted = wanted;
+        }
+        for index in 0..self.entries.len() {
+            let open = self.entries[index]
+                .dependents
+                .iter()
+                .filter(|&&d| self.entries[d].wanted && !self.entries[d].status.is_final())
+                .count();
+            self.entries[index].open_dependents = open;
+        }
+    }
+
+    fn declared(&self, index: usize) -> &Declared {
+        &self.graph.nodes[index]
+    }
+
+    /// The instance as the last build knew it.
+    fn record(&self, index: usize) -> Option<&'s InstanceRecord> {
+        self.worktree.instance(&self.graph.nodes[index].instance)
+    }
+
+    /// What came through a port, as far as keys go. `None` while it is not known.
+    fn through(&self, node: usize, kind: PortKind) -> Option<Supplies> {
+        let entry = &self.entries[node];
+        let settled = entry.head.as_ref();
+        match (entry.status, kind) {
+            (Status::Failed, PortKind::Attempt) if settled.is_some() => Some(Supplies::Nothing),
+            (Status::Skipped { lasting: true }, PortKind::Attempt) => Some(Supplies::Nothing),
+            (Status::Failed, _) => Some(Supplies::Failed {
+                lasting: settled.is_some(),
+            }),
+            (Status::Skipped { lasting }, _) => Some(Supplies::Failed { lasting }),
+            (Status::Stopped, _) => Some(Supplies::Failed { lasting: false }),
+            // A known result stays known while its lost value is being made again.
+            _ => {
+                let head = settled?;
+                Some(match kind {
+                    PortKind::Warnings => Supplies::Result(head.diagnostics_digest()),
+                    _ => Supplies::Result(head.digest()?),
+                })
+            }
+        }
+    }
+
+    fn notice(&mut self, notice: Diagnostic) {
+        if !self.notices.contains(&notice) {
+            self.notices.push(notice);
+        }
+    }
+}
+
+/// What a dependency contributes to a key.
+enum Supplies {
+    Result(Digest),
+    /// An attempt that failed for good.
+    Nothing,
+    Failed {
+        lasting: bool,
+    },
+}
+
+/// Receives events.
+pub(super) type Observer<'o> = &'o mut dyn FnMut(Event<'_>);
+
+/// An error that is the program's fault.
+fn internal(code: &'static str, what: String) -> Diagnostic {
+    Diagnostic::error(Code::new(code), what)
+        .note("this is a defect of egg, not of the project")
+        .help("please report it with the project file and the version that `egg --version` prints")
+}
+
+const PANICKED: &str = "E0801";
+const NOT_CANONICAL: &str = "E0802";
+const DUPLICATE: &str = "E0803";
+const NOT_ENCODABLE: &str = "E0804";

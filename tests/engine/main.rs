@@ -1,0 +1,5 @@
+//! The incremental engine, on made-up stages: what runs, what is published, what survives.
+
+mod incremental;
+mod project;
+mod workshop;
