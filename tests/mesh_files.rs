@@ -1,5 +1,6 @@
 //! Reading mesh files: what is nasty but sound is read, what is wrong is told with its line.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::format_collect, reason = "large texts are made once")]
 
 use egg::diagnostics::{Diagnostic, Place, Severity};
 use egg::project::model::Axis;

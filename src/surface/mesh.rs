@@ -214,6 +214,28 @@ impl Mesh {
         self.twin(self.first_outgoing(vertex)).is_none()
     }
 
+    /// Per vertex how many edges it is away from the border, counted up to `limit + 1`.
+    pub fn rings_from_border(&self, limit: u32) -> Vec<u32> {
+        let mut rings = vec![limit + 1; self.positions.len()];
+        let mut ring: Vec<u32> = (0..self.vertex_count())
+            .filter(|&v| self.is_border_vertex(v))
+            .collect();
+        for distance in 0..=limit {
+            for &v in &ring {
+                rings[v as usize] = distance;
+            }
+            let mut next: Vec<u32> = ring
+                .iter()
+                .flat_map(|&v| self.neighbours(v))
+                .filter(|&v| rings[v as usize] > limit)
+                .collect();
+            next.sort_unstable();
+            next.dedup();
+            ring = next;
+        }
+        rings
+    }
+
     /// Cross product of two sides of a face: twice its area along its normal, square metres.
     pub fn face_cross(&self, face: u32) -> Vector3 {
         let [a, b, c] = self.corners(face);
