@@ -399,6 +399,40 @@ mod points {
         }
 
         #[test]
+        fn every_face_at_a_point_agrees_on_its_position(
+            pick in any::<prop::sample::Index>(),
+            share in prop::array::uniform3(0.0..1.0_f64),
+            zeros in 0..3_usize,
+        ) {
+            for mesh in zoo() {
+                let mut share = share;
+                share[..zeros].fill(0.0);
+                let face = pick.index(mesh.face_count() as usize) as u32;
+                let Some(point) = SurfacePoint::in_face(&mesh, face, share) else {
+                    return Ok(());
+                };
+                let expected = match point {
+                    SurfacePoint::Vertex(_) => 2,
+                    SurfacePoint::Edge { .. } => 1,
+                    SurfacePoint::Face { .. } => 0,
+                };
+                prop_assert_eq!(expected, zeros);
+                let at = point.position(&mesh);
+                let faces = point.faces(&mesh);
+                prop_assert!(faces.contains(&face));
+                for &face in &faces {
+                    let bary = point.bary_in(&mesh, face).unwrap();
+                    let corners = mesh.corners(face);
+                    let there: Vector3 = (0..3).map(|i| corners[i].coords * bary[i]).sum();
+                    prop_assert!((there - at.coords).norm() < 1e-14);
+                }
+                let outside = (0..mesh.face_count()).find(|face| !faces.contains(face));
+                prop_assert_eq!(point.bary_in(&mesh, outside.unwrap()), None);
+                prop_assert!((point.normal(&mesh).norm() - 1.0).abs() < 1e-12);
+            }
+        }
+
+        #[test]
         fn the_topmost_point_is_the_highest_that_brute_force_finds(
             x in -3.0..3.0_f64, y in -3.0..3.0_f64,
         ) {
