@@ -3,7 +3,9 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use egg::project::model::Axis;
 use egg::surface::generate::{self, Grid, Pattern};
-use egg::surface::{Mesh, ReadOptions, Side, read_obj, write_obj};
+use egg::surface::{
+    Curvature, Locator, Mesh, Point3, ReadOptions, Side, SubMesh, read_obj, write_obj,
+};
 use std::hint::black_box;
 
 fn mesh(cells: u32) -> Mesh {
@@ -33,6 +35,20 @@ fn surface(c: &mut Criterion) {
         group.bench_function("mesh", |b| {
             b.iter(|| Mesh::new(mesh.positions().to_vec(), mesh.faces().to_vec()));
         });
+        group.bench_function("curvature", |b| b.iter(|| Curvature::estimate(&mesh)));
+        group.bench_function("locator", |b| b.iter(|| Locator::new(&mesh)));
+        let locator = Locator::new(&mesh);
+        group.bench_function("closest_and_topmost_1000", |b| {
+            b.iter(|| {
+                for i in 0..1000 {
+                    let x = 1e-3 * f64::from(i) - 0.5;
+                    black_box(locator.closest(&Point3::new(x, 0.3 * x, 0.2)));
+                    black_box(locator.topmost([x, -0.7 * x]).ok());
+                }
+            });
+        });
+        let half: Vec<u32> = (0..mesh.face_count() / 2).collect();
+        group.bench_function("submesh", |b| b.iter(|| SubMesh::new(&mesh, &half)));
         group.finish();
     }
 }

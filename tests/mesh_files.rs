@@ -1,10 +1,13 @@
 //! Reading mesh files: what is nasty but sound is read, what is wrong is told with its line.
 #![allow(clippy::unwrap_used, reason = "a test fails by panicking")]
+#![allow(clippy::format_collect, reason = "large texts are made once")]
 
 use egg::diagnostics::{Diagnostic, Place, Severity};
 use egg::project::model::Axis;
 use egg::surface::generate::{self, Grid, Pattern};
-use egg::surface::{Mesh, NoVertex, ReadOptions, Side, SurfaceMesh, read_obj, write_obj};
+use egg::surface::{
+    HalfEdge, Mesh, NoVertex, Point3, ReadOptions, Side, SurfaceMesh, read_obj, write_obj,
+};
 use proptest::prelude::*;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -358,4 +361,68 @@ proptest! {
             );
         }
     }
+
+    #[test]
+    fn turned_faces_are_turned_back(picks in prop::collection::vec(any::<prop::sample::Index>(), 1..25)) {
+        let mesh = sample();
+        let mut faces = mesh.faces().to_vec();
+        let mut picks: Vec<_> = picks.iter().map(|pick| pick.index(faces.len())).collect();
+        picks.sort_unstable();
+        picks.dedup();
+        for &pick in &picks {
+            faces[pick].swap(1, 2);
+        }
+        let read = read_obj(obj(mesh.positions(), &faces).as_bytes(), &METRES).unwrap();
+        prop_assert_eq!(read.value.mesh, mesh);
+        prop_assert_eq!(read.warnings.len(), 1);
+        let count = format!("{} face", picks.len());
+        prop_assert!(read.warnings[0].message.starts_with(&count));
+    }
+
+    #[test]
+    fn caps_are_taken_out_without_leaving_a_slit(
+        picks in prop::collection::vec((any::<prop::sample::Index>(), 0.1..0.9_f64), 1..12),
+    ) {
+        // On some edges one of the two faces gets another vertex, and a face without area fills
+        // the gap, as meshers do where they meet finer patches.
+        let mesh = sample();
+        let mut positions = mesh.positions().to_vec();
+        let mut faces = mesh.faces().to_vec();
+        let edges: Vec<HalfEdge> = mesh.edges().collect();
+        let mut split = vec![false; faces.len()];
+        for (pick, share) in picks {
+            let h = edges[pick.index(edges.len())];
+            if std::mem::replace(&mut split[h.face() as usize], true) {
+                continue;
+            }
+            let [a, b, c] = [h, h.next(), h.prev()].map(|h| mesh.origin(h));
+            let m = positions.len() as u32;
+            positions.push(positions[a as usize] + mesh.edge_vector(h) * share);
+            faces[h.face() as usize] = [a, m, c];
+            faces.push([m, b, c]);
+            faces.push([a, b, m]);
+        }
+        let read = read_obj(obj(&positions, &faces).as_bytes(), &METRES).unwrap();
+        let back = &read.value.mesh;
+        prop_assert!((back.area() - mesh.area()).abs() < 1e-12);
+        prop_assert!((0..back.face_count()).all(|f| back.face_cross(f).norm() > 1e-6));
+        // A slit would add to the border, whose length stays.
+        let border = |mesh: &Mesh| -> f64 {
+            let outer = mesh.half_edges().filter(|&h| mesh.twin(h).is_none());
+            outer.map(|h| mesh.edge_vector(h).norm()).sum()
+        };
+        prop_assert!((border(back) - border(&mesh)).abs() < 1e-12);
+        prop_assert!(read.warnings.iter().all(|w| w.code.as_str() == "W0303"));
+    }
+}
+
+/// OBJ text with all digits.
+fn obj(positions: &[Point3], faces: &[[u32; 3]]) -> String {
+    let vertices = positions
+        .iter()
+        .map(|p| format!("v {} {} {}\n", p.x, p.y, p.z));
+    let faces = faces
+        .iter()
+        .map(|[a, b, c]| format!("f {} {} {}\n", a + 1, b + 1, c + 1));
+    vertices.chain(faces).collect()
 }

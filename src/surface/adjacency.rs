@@ -200,3 +200,81 @@ pub(super) fn split_vertices(vertices: usize, faces: &[[u32; 3]]) -> Result<Vec<
     let twins = find_twins(vertices, faces)?;
     Ok(fans(vertices, faces, &twins).1)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use proptest::prelude::*;
+
+    /// By definition: at most one face on each side of an edge, and the faces at each vertex hang
+    /// together over edges at that vertex.
+    fn is_manifold(vertices: u32, faces: &[[u32; 3]]) -> bool {
+        let edges = |f: &[u32; 3]| [(f[0], f[1]), (f[1], f[2]), (f[2], f[0])];
+        let directed: Vec<_> = faces.iter().flat_map(edges).collect();
+        let once = directed
+            .iter()
+            .all(|e| directed.iter().filter(|d| *d == e).count() == 1);
+        let sound = faces
+            .iter()
+            .all(|f| f[0] != f[1] && f[1] != f[2] && f[2] != f[0]);
+        let one_fan = (0..vertices).all(|v| {
+            let at: Vec<_> = faces.iter().filter(|f| f.contains(&v)).collect();
+            let mut met = vec![false; at.len()];
+            if let Some(first) = met.first_mut() {
+                *first = true;
+            }
+            for _ in 0..at.len() {
+                for i in 0..at.len() {
+                    let joined = (0..at.len()).any(|j| {
+                        met[j]
+                            && at[i].iter().any(|w| *w != v && at[j].contains(w))
+                            && edges(at[i])
+                                .iter()
+                                .filter(|e| e.0 == v || e.1 == v)
+                                .any(|e| edges(at[j]).contains(&(e.1, e.0)))
+                    });
+                    met[i] |= joined;
+                }
+            }
+            !at.is_empty() && met.iter().all(|&met| met)
+        });
+        once && sound && one_fan
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, cases: 3000, ..Default::default() })]
+
+        #[test]
+        fn exactly_oriented_manifolds_are_accepted(
+            faces in prop::collection::vec(prop::array::uniform3(0..6_u32), 1..9),
+            whole in any::<bool>(),
+        ) {
+            // Random faces are rarely manifold: the faces of an octahedron often are.
+            let octahedron = [
+                [0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 4, 1], [5, 2, 1], [5, 3, 2], [5, 4, 3], [5, 1, 4],
+            ];
+            let mut faces: Vec<[u32; 3]> = if whole {
+                faces.iter().map(|f| octahedron[(f[0] + f[1]) as usize % 8]).collect()
+            } else {
+                faces
+            };
+            faces.dedup();
+            let mut used: Vec<u32> = faces.iter().flatten().copied().collect();
+            used.sort_unstable();
+            used.dedup();
+            for v in faces.iter_mut().flatten() {
+                *v = used.binary_search(v).unwrap() as u32;
+            }
+            let built = Adjacency::build(used.len(), &faces);
+            prop_assert_eq!(built.is_ok(), is_manifold(used.len() as u32, &faces), "{:?}", faces);
+            if let Ok(Adjacency { twins, outgoing }) = built {
+                for (h, &twin) in (0..).zip(&twins).filter(|(_, twin)| **twin != HalfEdge::BORDER) {
+                    prop_assert_eq!(twins[twin as usize], h);
+                }
+                for (v, &h) in (0..).zip(&outgoing) {
+                    prop_assert_eq!(faces[h as usize / 3][h as usize % 3], v);
+                }
+            }
+        }
+    }
+}

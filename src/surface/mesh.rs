@@ -214,6 +214,28 @@ impl Mesh {
         self.twin(self.first_outgoing(vertex)).is_none()
     }
 
+    /// Per vertex how many edges it is away from the border, counted up to `limit + 1`.
+    pub fn rings_from_border(&self, limit: u32) -> Vec<u32> {
+        let mut rings = vec![limit + 1; self.positions.len()];
+        let mut ring: Vec<u32> = (0..self.vertex_count())
+            .filter(|&v| self.is_border_vertex(v))
+            .collect();
+        for distance in 0..=limit {
+            for &v in &ring {
+                rings[v as usize] = distance;
+            }
+            let mut next: Vec<u32> = ring
+                .iter()
+                .flat_map(|&v| self.neighbours(v))
+                .filter(|&v| rings[v as usize] > limit)
+                .collect();
+            next.sort_unstable();
+            next.dedup();
+            ring = next;
+        }
+        rings
+    }
+
     /// Cross product of two sides of a face: twice its area along its normal, square metres.
     pub fn face_cross(&self, face: u32) -> Vector3 {
         let [a, b, c] = self.corners(face);
@@ -288,6 +310,37 @@ mod tests {
             grid(&SQUARE, &[[0, 1, 2]]).unwrap_err(),
             MeshDefect::UnusedVertex { vertex: 3 }
         );
+    }
+
+    #[test]
+    fn neighbours_and_edges_are_met_once() {
+        let mesh = grid(&SQUARE, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+        assert_eq!(mesh.neighbours(0).collect::<Vec<_>>(), [1, 2, 3]);
+        assert_eq!(mesh.neighbours(1).collect::<Vec<_>>(), [2, 0]);
+        assert_eq!(mesh.edges().count(), 5);
+        let diagonal = mesh.half_edge_between(2, 0).unwrap();
+        assert_eq!((diagonal.face(), diagonal.corner()), (0, 2));
+        assert_eq!(mesh.half_edge_between(1, 0), None);
+        assert_eq!(mesh.half_edge_between(1, 3), None);
+        assert_eq!(mesh.vertex_normal(2), Vector3::z());
+    }
+
+    #[test]
+    fn rings_count_edges_from_the_border() {
+        let mesh = crate::surface::generate::sphere_cap(1.0, 1.0, 4);
+        // Rings of 1, 6, 12, 18 and 24 vertices from the top to the rim.
+        let rings = mesh.rings_from_border(2);
+        let count = |ring| rings.iter().filter(|&&r| r == ring).count();
+        assert_eq!([0, 1, 2, 3].map(count), [24, 18, 12, 7]);
+    }
+
+    #[test]
+    fn only_positions_and_faces_are_stored_and_both_are_checked() {
+        let mesh = grid(&SQUARE, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+        let text = ron::to_string(&mesh).unwrap();
+        assert_eq!(ron::from_str::<Mesh>(&text).unwrap(), mesh);
+        let broken = text.replace("(0,2,3)", "(0,1,3)");
+        assert!(ron::from_str::<Mesh>(&broken).is_err());
     }
 
     #[test]

@@ -3,16 +3,26 @@
 //! Lengths in metres, z up, faces counter-clockwise seen from outside (above).
 
 mod adjacency;
+pub mod curvature;
 pub mod generate;
+mod grow;
+mod locate;
 mod mesh;
 mod point;
 mod read;
+mod segment;
+mod submesh;
+mod union_find;
 mod write;
 
 pub use adjacency::MeshDefect;
+pub use curvature::{Curvature, VertexCurvature};
+pub use grow::grow;
+pub use locate::{Closest, Locator, Miss};
 pub use mesh::{HalfEdge, Mesh};
 pub use point::{SurfacePoint, Tangent};
 pub use read::{NoVertex, ReadOptions, Side, SurfaceMesh, read_obj};
+pub use submesh::{Clearance, SubMesh};
 pub use write::write_obj;
 
 /// A point in space, metres.

@@ -35,12 +35,13 @@ use findings::Findings;
 use serde::{Deserialize, Serialize};
 use soup::{NONE, Origin, Soup};
 
-/// Largest file, bytes: half a gigabyte, about ten million faces.
-const MAX_BYTES: usize = 512 << 20;
+/// Largest file, bytes: a quarter of a gigabyte, some four million faces. Reading that takes about
+/// a gigabyte of memory.
+const MAX_BYTES: usize = 256 << 20;
 /// Most `v` records.
-const MAX_VERTICES: usize = 5_000_000;
+const MAX_VERTICES: usize = 2_000_000;
 /// Most corners of all faces.
-const MAX_CORNERS: usize = 20_000_000;
+const MAX_CORNERS: usize = 12_000_000;
 /// Largest coordinate, metres; beyond, squares and products of lengths lose their meaning.
 const MAX_COORDINATE: f64 = 1e8;
 /// A surface whose mean normal is flatter than this has no upper side to speak of.

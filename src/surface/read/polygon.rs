@@ -188,6 +188,7 @@ fn meet([a, b]: [Vector2<f64>; 2], [c, d]: [Vector2<f64>; 2]) -> bool {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use proptest::prelude::*;
 
     fn polygon(points: &[[f64; 2]]) -> Vec<Point3> {
         points
@@ -248,6 +249,23 @@ mod tests {
             .collect();
         cut_covers(&spiral);
         cut_covers(&[[0., 0.], [1., 0.], [2., 0.], [3., 0.], [1., 2.]]);
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig { failure_persistence: None, ..Default::default() })]
+
+        #[test]
+        fn star_shaped_polygons_are_cut_inside(
+            radii in prop::collection::vec(0.05..1.0_f64, 3..60), turn in 0.0..7.0_f64,
+        ) {
+            let step = std::f64::consts::TAU / radii.len() as f64;
+            let points: Vec<_> = (0..)
+                .zip(&radii)
+                .map(|(i, r)| (turn + step * f64::from(i), r))
+                .map(|(angle, r)| [r * libm::cos(angle), r * libm::sin(angle)])
+                .collect();
+            cut_covers(&points);
+        }
     }
 
     #[test]

@@ -16,17 +16,21 @@ const PARTS_SHOWN: usize = 6;
 
 /// Takes out faces that repeat another one, in whatever rotation: layered and two-sided exports.
 pub(super) fn drop_duplicates(soup: &mut Soup, origin: &Origin, findings: &mut Findings) {
-    let key = |face: u32| {
-        let mut corners = soup.faces[face as usize];
-        corners.sort_unstable();
-        corners
-    };
-    let mut order: Vec<u32> = (0..soup.faces.len() as u32).collect();
-    order.sort_unstable_by_key(|&face| (key(face), face));
+    let mut order: Vec<([u32; 3], usize)> = soup
+        .faces
+        .iter()
+        .enumerate()
+        .map(|(face, corners)| {
+            let mut corners = *corners;
+            corners.sort_unstable();
+            (corners, face)
+        })
+        .collect();
+    order.sort_unstable();
     let mut keep = vec![true; soup.faces.len()];
-    for group in order.chunk_by(|&f, &g| key(f) == key(g)) {
-        for &face in &group[1..] {
-            keep[face as usize] = false;
+    for group in order.chunk_by(|f, g| f.0 == g.0) {
+        for &(_, face) in &group[1..] {
+            keep[face] = false;
         }
     }
     let count = keep.iter().filter(|&&keep| !keep).count();
