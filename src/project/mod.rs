@@ -125,7 +125,9 @@ pub fn decode(bytes: &[u8]) -> Result<&str, Vec<Diagnostic>> {
     } else {
         let line = bytes[..at].split(|byte| *byte == b'\n').count();
         diagnostic
-            .note(format!("byte {at}, in line {line}, is the first that is not UTF-8"))
+            .note(format!(
+                "byte {at}, in line {line}, is the first that is not UTF-8"
+            ))
             .help("save it again with the encoding UTF-8")
     };
     Err(vec![diagnostic])

@@ -47,6 +47,11 @@ fn one(diagnostic: &Diagnostic, sources: &Sources<'_>, style: Style) -> String {
             text.push_str(&snippet(&here, source, diagnostic.severity, style));
         }
     }
+    for label in &diagnostic.labels {
+        if sources.find(&label.place).is_none() {
+            remark(&mut text, "note", &label.text, style);
+        }
+    }
     for note in &diagnostic.notes {
         remark(&mut text, "note", note, style);
     }

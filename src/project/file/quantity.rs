@@ -212,18 +212,36 @@ impl<D: Measure, I: Interval> FromNode for Quantity<D, I> {
             } else {
                 shown.size()
             };
-            out_of_range(at, &range_text::<I>(size, shown.symbol), I::ADVICE)
+            let range = range_text::<I>(size, shown.symbol);
+            out_of_range(at, &as_written(&node.value), &range, I::ADVICE)
         });
         None
     }
 }
 
-pub(crate) fn out_of_range(at: &KeyPath, range: &str, advice: Option<&str>) -> Diagnostic {
-    let diagnostic = Diagnostic::error(Code::new("E0117"), format!("`{at}` must be {range}"))
-        .at_key(at.as_str(), "out of range");
+/// `found` is the value as written, `range` what it should be: `at least 2`.
+pub(crate) fn out_of_range(
+    at: &KeyPath,
+    found: &str,
+    range: &str,
+    advice: Option<&str>,
+) -> Diagnostic {
+    let found = shortened(found);
+    let message = format!("`{at}` is {found}, but must be {range}");
+    let diagnostic =
+        Diagnostic::error(Code::new("E0117"), message).at_key(at.as_str(), "out of range");
     match advice {
         Some(advice) => diagnostic.help(advice),
         None => diagnostic,
+    }
+}
+
+/// A number or string as it stands in the file.
+fn as_written(value: &Value) -> String {
+    match value {
+        Value::Number(number) => number.text.clone(),
+        Value::Text(text) => format!("\"{text}\""),
+        other => other.kind().to_owned(),
     }
 }
 
