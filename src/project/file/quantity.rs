@@ -399,8 +399,14 @@ impl<D: Measure, I: Interval> JsonSchema for Quantity<D, I> {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         let mut number = json_schema!({ "type": "number" });
-        // The bounds of bare lengths depend on `project.units`; only a bound at 0 does not.
-        let fixed = |value: f64| D::BARE.is_some() || value == 0.0;
+        // Bare lengths are in `project.units`: the schema has the loosest bound, that of the unit
+        // in which the number is largest (or smallest); beyond it no unit is right.
+        let loosest = |word: &str, bound: f64| match D::BARE {
+            Some(unit) if unit == units::DEGREE => bound,
+            Some(unit) => bound / unit.size(),
+            None if word.ends_with("aximum") == (bound > 0.0) => bound / units::MILLIMETRE.size(),
+            None => bound / units::METRE.size(),
+        };
         let low = match I::LOW {
             Closed(_) => "minimum",
             Open(_) => "exclusiveMinimum",
@@ -410,9 +416,7 @@ impl<D: Measure, I: Interval> JsonSchema for Quantity<D, I> {
             Open(_) => "exclusiveMaximum",
         };
         for (word, edge) in [(low, I::LOW), (high, I::HIGH)] {
-            if fixed(edge.value()) {
-                number.insert(word.to_owned(), edge.value().into());
-            }
+            number.insert(word.to_owned(), loosest(word, edge.value()).into());
         }
         if D::DIMENSION.units.is_empty() {
             return number;
