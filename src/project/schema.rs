@@ -6,7 +6,7 @@
 
 use super::file::ProjectFile;
 use schemars::generate::SchemaSettings;
-use serde_json::Value;
+use serde_json::{Map, Value};
 
 /// The schema as JSON text with a final newline.
 ///
@@ -18,10 +18,24 @@ pub fn schema() -> String {
     let mut schema = generator.into_root_schema_for::<ProjectFile>().to_value();
     drop_null(&mut schema);
     unwrap_lines(&mut schema);
+    let schema = head_first(schema);
     let mut text = serde_json::to_string_pretty(&schema)
         .expect("a tree of strings, numbers and maps has a JSON text");
     text.push('\n');
     text
+}
+
+/// Puts what a reader looks for first to the top.
+fn head_first(schema: Value) -> Value {
+    let Value::Object(mut object) = schema else {
+        return schema;
+    };
+    let mut ordered = Map::new();
+    for key in ["$schema", "title", "description"] {
+        ordered.extend(object.shift_remove_entry(key));
+    }
+    ordered.extend(object);
+    Value::Object(ordered)
 }
 
 /// Optional fields come out as "or null", but TOML has no null: what is optional is left out.

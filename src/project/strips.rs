@@ -194,7 +194,8 @@ impl<'a> Network<'a> {
         }
         let mut strips = Vec::new();
         let mut index = BTreeMap::new();
-        for side in sides.iter().filter(|side| side.number < 2) {
+        // Where each family starts: u on side 1-2, v on side 4-1.
+        for side in sides.iter().filter(|side| matches!(side.number, 0 | 3)) {
             if !index.contains_key(&side.passage()) {
                 let strip = walk(*side, &neighbour);
                 for passage in &strip.passages {

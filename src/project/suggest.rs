@@ -30,6 +30,11 @@ pub(crate) fn help<'a>(
     }
 }
 
+/// Whether the one was probably meant to be the other.
+pub(crate) fn is_close(written: &str, valid: &str) -> bool {
+    !close_names(written, &[valid]).is_empty()
+}
+
 /// At most three names within a third of the length (and at least two edits for short ones),
 /// the closest first. Upper and lower case count as half an edit apart: they sort behind equal
 /// letters and before others.
@@ -86,7 +91,7 @@ mod tests {
         let valid = ["width", "depth", "weight", "thickness", "widths", "wid"];
         assert_eq!(
             help("widht", "key", valid).as_deref(),
-            Some("did you mean `width`, `widths` or `wid`?")
+            Some("did you mean `width`, `weight` or `widths`?")
         );
         assert_eq!(
             help("WIDTH", "key", ["width", "material"]).as_deref(),

@@ -1,6 +1,6 @@
 //! The form for people: miette's snippets, with the code in front, facts and advice behind.
 
-use super::source::{Found, Source, Sources, mark_length};
+use super::source::{Found, Source, Sources, line_column, mark_length};
 use crate::diagnostics::{Diagnostic, Label, Severity};
 use miette::{
     GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, NarratableReportHandler,
@@ -47,6 +47,11 @@ fn one(diagnostic: &Diagnostic, sources: &Sources<'_>, style: Style) -> String {
             text.push_str(&snippet(&here, source, diagnostic.severity, style));
         }
     }
+    for label in &diagnostic.labels {
+        if sources.find(&label.place).is_none() {
+            remark(&mut text, "note", &label.text, style);
+        }
+    }
     for note in &diagnostic.notes {
         remark(&mut text, "note", note, style);
     }
@@ -91,6 +96,12 @@ fn snippet(
     severity: Severity,
     style: Style,
 ) -> String {
+    if labels
+        .iter()
+        .any(|(found, _)| !is_drawable(found, source.text))
+    {
+        return positions(labels, source);
+    }
     let mark = mark_length(source.text);
     let spans = labels.iter().enumerate().map(|(index, (found, label))| {
         let start = found.range.start.saturating_sub(mark);
@@ -125,6 +136,42 @@ fn snippet(
         // its snippet is still a report.
         Err(fmt::Error) => String::new(),
     }
+}
+
+/// Lines beyond this make no readable snippet, and beyond 65535 columns the library panics.
+const LONGEST_LINE: usize = 1000;
+
+/// Whether there is something to mark and the lines around it are short enough to draw.
+fn is_drawable(found: &Found, text: &str) -> bool {
+    let is_break = |byte: &u8| *byte == b'\n';
+    let bytes = text.as_bytes();
+    let mut start = found.range.start;
+    let mut end = found.range.end;
+    // The line of the place itself and the one before and behind, which are context.
+    for _ in 0..2 {
+        let from = start.saturating_sub(LONGEST_LINE);
+        match bytes[from..start].iter().rposition(|byte| is_break(byte)) {
+            Some(at) => start = from + at,
+            None if from > 0 => return false,
+            None => start = 0,
+        }
+        let to = (end + LONGEST_LINE).min(bytes.len());
+        match bytes[end..to].iter().position(is_break) {
+            Some(at) => end += at + 1,
+            None if to < bytes.len() => return false,
+            None => end = bytes.len(),
+        }
+    }
+    (1..=LONGEST_LINE).contains(&found.range.len())
+}
+
+/// Labels by their positions, where no snippet can be drawn.
+fn positions(labels: &[(Found, &Label)], source: Source<'_>) -> String {
+    let line = |(found, label): &(Found, &Label)| {
+        let (line, column) = line_column(source.text, found.range.start);
+        format!("  at {}:{line}:{column}: {}\n", source.name, label.text)
+    };
+    labels.iter().map(line).collect()
 }
 
 /// Wider than any label; lines are not to be broken.

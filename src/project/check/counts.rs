@@ -60,8 +60,9 @@ pub(super) fn check(
         .map(|strip| agreed(&scope, strip, sink))
         .collect();
     junctions(&scope, strips, &mut known, sink);
-    // A patch that is out of the network might have been the one to give a count.
-    if patches.complete() {
+    // A patch that is out of the network, or a strip that is cut off at a crowd, might have been
+    // the one to give a count.
+    if patches.complete() && strips.crowds.is_empty() {
         for (strip, known) in strips.strips.iter().zip(&known) {
             if *known == Known::No {
                 missing(&scope, strip, sink);
@@ -282,7 +283,7 @@ fn impossible(scope: &Scope<'_, '_>, junction: &Junction, strip: &Strip, count: 
     let id = scope.id(strip.passages[0]);
     let mut diagnostic = Diagnostic::error(
         Code::new("E0218"),
-        format!("the other counts along the side `{side}` leave `{id}` {count} members"),
+        format!("the other counts along the side `{side}` leave a count of {count} for `{id}`"),
     )
     .at_key(scope.place(strip.passages[0]), format!("2 to {MOST} are possible"))
     .about(id)

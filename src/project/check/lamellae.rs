@@ -316,7 +316,7 @@ fn implausible(material: &Material, sink: &mut Sink) {
             Diagnostic::warning(
                 Code::new("W0208"),
                 format!(
-                    "`{name}` has a {} of {}",
+                    "the {} of `{name}` is {}",
                     key.replace('_', " "),
                     show(value)
                 ),

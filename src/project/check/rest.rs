@@ -48,6 +48,7 @@ pub(super) fn split(file: &ProjectFile, sink: &mut Sink) -> Option<Split> {
         sink.error(|| {
             out_of_range(
                 &KeyPath::of(["split", "slope"]),
+                &format!("[{low}, {high}]"),
                 "a bound below 1 and a bound above 1",
                 Some("a cladding function runs from corner to corner, so its mean slope is 1"),
             )

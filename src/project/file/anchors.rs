@@ -237,14 +237,17 @@ impl FromNode for LamellaFile {
         let material = FromField::take(&mut table, "material", reader);
         let known = table.known().to_vec();
         let mut overrides = Vec::new();
+        let mut unknown = Vec::new();
         for entry in table.rest() {
             if matches!(entry.node.value, Value::Table(_)) {
                 let value = FromNode::read(&entry.node, &at.key(&entry.key), reader).into();
                 overrides.push((entry.key.clone(), value));
             } else {
                 unknown_key(at, &entry.key, &known, reader);
+                unknown.push(entry.key.as_str());
             }
         }
+        table.report_missing(&unknown, reader);
         Some(Self {
             width,
             thickness,

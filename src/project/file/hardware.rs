@@ -176,7 +176,7 @@ mod tests {
     fn the_usual_bolt_leaves_most_of_the_lamella() {
         for width in [0.008, 0.010, 0.015, 0.03, 0.04, 0.07, 0.1, 0.15, 0.25, 0.4] {
             let bolt = usual_bolt(width);
-            assert!(bolt.diameter <= 0.3 * width, "{width} {}", bolt.name);
+            assert!(bolt.diameter <= 0.4 * width, "{width} {}", bolt.name);
         }
     }
 }

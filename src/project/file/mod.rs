@@ -427,26 +427,26 @@ pub(crate) struct LintsSection {
 
 section!(LintsSection { allow });
 
-/// What to write where a required key is missing.
+/// What to write where a required key is missing, with the blank or line break in front.
 pub(crate) fn example(path: &KeyPath) -> Option<&'static str> {
     let name = path.as_str().rsplit('.').next().unwrap_or_default();
     let top = path.as_str() == name;
     let example = match name {
-        "surface" if top => "[surface]\nmesh = \"pavilion.obj\"",
-        "points" if top => "[points]\na = [0, 0]\nb = [800, 0]\nc = [800, 600]\nd = [0, 600]",
+        "surface" if top => "\n[surface]\nmesh = \"pavilion.obj\"",
+        "points" if top => "\n[points]\na = [0, 0]\nb = [800, 0]\nc = [800, 600]\nd = [0, 600]",
         "patches" if top => {
-            "[patches.roof]\ncorners = [\"a\", \"b\", \"c\", \"d\"]\nmembers = { u = 7, v = 7 }"
+            "\n[patches.roof]\ncorners = [\"a\", \"b\", \"c\", \"d\"]\nmembers = { u = 7, v = 7 }"
         }
         "lamella" if top => {
-            "[lamella]\nwidth = \"30 mm\"\nthickness = \"3 mm\"\nmaterial = \"poplar-plywood\""
+            "\n[lamella]\nwidth = \"30 mm\"\nthickness = \"3 mm\"\nmaterial = \"poplar-plywood\""
         }
-        "mesh" => "mesh = \"pavilion.obj\"",
-        "corners" => "corners = [\"a\", \"b\", \"c\", \"d\"]",
-        "material" => "material = \"poplar-plywood\" (`egg materials` lists the built-in ones)",
-        "elastic_modulus" => "elastic_modulus = \"7.6 GPa\"",
-        "shear_modulus" => "shear_modulus = \"0.5 GPa\"",
-        "density" => "density = \"430 kg/m^3\"",
-        "bending_strength" => "bending_strength = \"40 MPa\"",
+        "mesh" => " mesh = \"pavilion.obj\"",
+        "corners" => " corners = [\"a\", \"b\", \"c\", \"d\"]",
+        "material" => " material = \"poplar-plywood\" (`egg materials` lists the built-in ones)",
+        "elastic_modulus" => " elastic_modulus = \"7.6 GPa\"",
+        "shear_modulus" => " shear_modulus = \"0.5 GPa\"",
+        "density" => " density = \"430 kg/m^3\"",
+        "bending_strength" => " bending_strength = \"40 MPa\"",
         _ => return None,
     };
     Some(example)

@@ -212,18 +212,36 @@ impl<D: Measure, I: Interval> FromNode for Quantity<D, I> {
             } else {
                 shown.size()
             };
-            out_of_range(at, &range_text::<I>(size, shown.symbol), I::ADVICE)
+            let range = range_text::<I>(size, shown.symbol);
+            out_of_range(at, &as_written(&node.value), &range, I::ADVICE)
         });
         None
     }
 }
 
-pub(crate) fn out_of_range(at: &KeyPath, range: &str, advice: Option<&str>) -> Diagnostic {
-    let diagnostic = Diagnostic::error(Code::new("E0117"), format!("`{at}` must be {range}"))
-        .at_key(at.as_str(), "out of range");
+/// `found` is the value as written, `range` what it should be: `at least 2`.
+pub(crate) fn out_of_range(
+    at: &KeyPath,
+    found: &str,
+    range: &str,
+    advice: Option<&str>,
+) -> Diagnostic {
+    let found = shortened(found);
+    let message = format!("`{at}` is {found}, but must be {range}");
+    let diagnostic =
+        Diagnostic::error(Code::new("E0117"), message).at_key(at.as_str(), "out of range");
     match advice {
         Some(advice) => diagnostic.help(advice),
         None => diagnostic,
+    }
+}
+
+/// A number or string as it stands in the file.
+fn as_written(value: &Value) -> String {
+    match value {
+        Value::Number(number) => number.text.clone(),
+        Value::Text(text) => format!("\"{text}\""),
+        other => other.kind().to_owned(),
     }
 }
 
@@ -381,8 +399,14 @@ impl<D: Measure, I: Interval> JsonSchema for Quantity<D, I> {
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
         let mut number = json_schema!({ "type": "number" });
-        // The bounds of bare lengths depend on `project.units`; only a bound at 0 does not.
-        let fixed = |value: f64| D::BARE.is_some() || value == 0.0;
+        // Bare lengths are in `project.units`: the schema has the loosest bound, that of the unit
+        // in which the number is largest (or smallest); beyond it no unit is right.
+        let loosest = |word: &str, bound: f64| match D::BARE {
+            Some(unit) if unit == units::DEGREE => bound,
+            Some(unit) => bound / unit.size(),
+            None if word.ends_with("aximum") == (bound > 0.0) => bound / units::MILLIMETRE.size(),
+            None => bound / units::METRE.size(),
+        };
         let low = match I::LOW {
             Closed(_) => "minimum",
             Open(_) => "exclusiveMinimum",
@@ -392,9 +416,7 @@ impl<D: Measure, I: Interval> JsonSchema for Quantity<D, I> {
             Open(_) => "exclusiveMaximum",
         };
         for (word, edge) in [(low, I::LOW), (high, I::HIGH)] {
-            if fixed(edge.value()) {
-                number.insert(word.to_owned(), edge.value().into());
-            }
+            number.insert(word.to_owned(), loosest(word, edge.value()).into());
         }
         if D::DIMENSION.units.is_empty() {
             return number;

@@ -153,7 +153,7 @@ pub(crate) trait FromField: Sized {
 impl<T: FromNode> FromField for Field<T> {
     fn take(table: &mut TableReader<'_>, key: &'static str, reader: &mut Reader) -> Self {
         let Some(node) = table.find(key, reader) else {
-            table.missing(key, reader);
+            table.missing.push(key);
             return Self::Bad;
         };
         T::read(node, &table.path.key(key), reader).into()
@@ -172,6 +172,7 @@ pub(crate) struct TableReader<'n> {
     pub(crate) path: KeyPath,
     entries: &'n [Entry],
     known: Vec<&'static str>,
+    missing: Vec<&'static str>,
 }
 
 impl<'n> TableReader<'n> {
@@ -182,6 +183,7 @@ impl<'n> TableReader<'n> {
                 path: at.clone(),
                 entries,
                 known: Vec::new(),
+                missing: Vec::new(),
             }),
             _ => reader.wrong_type(node, at, "a table"),
         }
@@ -197,24 +199,6 @@ impl<'n> TableReader<'n> {
         Some(&entry.node)
     }
 
-    fn missing(&self, key: &str, reader: &mut Reader) {
-        let path = self.path.key(key);
-        reader.sink.error(|| {
-            let message = format!("`{path}` is missing");
-            let label = if self.path.as_str().is_empty() {
-                format!("no `{key}` in the whole file")
-            } else {
-                format!("`{key}` belongs here")
-            };
-            let diagnostic =
-                Diagnostic::error(Code::new("E0111"), message).at_key(path.as_str(), label);
-            match super::example(&path) {
-                Some(example) => diagnostic.help(format!("for example: {example}")),
-                None => diagnostic,
-            }
-        });
-    }
-
     /// The entries that no field has asked for.
     pub(crate) fn rest(&self) -> impl Iterator<Item = &'n Entry> {
         let known = self.known.clone();
@@ -223,10 +207,22 @@ impl<'n> TableReader<'n> {
             .filter(move |entry| !known.contains(&entry.key.as_str()))
     }
 
-    /// Reports the keys that no field has asked for.
+    /// Reports keys that no field has asked for, and required ones that are missing.
     pub(crate) fn finish(self, reader: &mut Reader) {
-        for entry in self.rest() {
-            unknown_key(&self.path, &entry.key, &self.known, reader);
+        let unknown: Vec<&str> = self.rest().map(|entry| entry.key.as_str()).collect();
+        for key in &unknown {
+            unknown_key(&self.path, key, &self.known, reader);
+        }
+        self.report_missing(&unknown, reader);
+    }
+
+    /// Reports missing keys, but not one that an unknown key was meant to be.
+    pub(crate) fn report_missing(&self, unknown: &[&str], reader: &mut Reader) {
+        for key in &self.missing {
+            let is_misspelt = |unknown: &&str| suggest::is_close(unknown, key);
+            if !unknown.iter().any(is_misspelt) {
+                missing_key(&self.path, key, reader);
+            }
         }
     }
 
@@ -234,6 +230,23 @@ impl<'n> TableReader<'n> {
     pub(crate) fn known(&self) -> &[&'static str] {
         &self.known
     }
+}
+
+fn missing_key(table: &KeyPath, key: &str, reader: &mut Reader) {
+    let path = table.key(key);
+    reader.sink.error(|| {
+        let label = if table.as_str().is_empty() {
+            format!("no `{key}` in the whole file")
+        } else {
+            format!("`{key}` belongs here")
+        };
+        let diagnostic = Diagnostic::error(Code::new("E0111"), format!("`{path}` is missing"))
+            .at_key(path.as_str(), label);
+        match super::example(&path) {
+            Some(example) => diagnostic.help(format!("for example:{example}")),
+            None => diagnostic,
+        }
+    });
 }
 
 pub(crate) fn unknown_key(table: &KeyPath, key: &str, known: &[&str], reader: &mut Reader) {

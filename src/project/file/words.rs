@@ -125,9 +125,10 @@ impl FromNode for Label {
         if (1..=80).contains(&length) && !label.chars().any(char::is_control) {
             return Some(Self(label.to_owned()));
         }
-        reader
-            .sink
-            .error(|| out_of_range(at, "a text of 1 to 80 printable characters", None));
+        reader.sink.error(|| {
+            let found = format!("\"{label}\"");
+            out_of_range(at, &found, "1 to 80 printable characters", None)
+        });
         None
     }
 }
@@ -198,7 +199,9 @@ impl<const LEAST: u32, const MOST: u32> FromNode for Count<LEAST, MOST> {
             Ok(count) if (LEAST..=MOST).contains(&count) => Some(Self(count)),
             _ => {
                 let range = format!("a whole number from {LEAST} to {MOST}");
-                reader.sink.error(|| out_of_range(at, &range, None));
+                reader
+                    .sink
+                    .error(|| out_of_range(at, &number.text, &range, None));
                 None
             }
         }

@@ -84,7 +84,7 @@ impl Value {
         match self {
             Self::Bool(_) => "a boolean",
             Self::Number(number) if number.whole => "a whole number",
-            Self::Number(_) => "a number",
+            Self::Number(_) => "a decimal number",
             Self::Text(_) => "a string",
             Self::List(_) => "a list",
             Self::Table(_) => "a table",
@@ -93,7 +93,7 @@ impl Value {
     }
 }
 
-/// Reads a text; spans count from `offset`. With syntax errors there is no tree.
+/// Reads a text. With syntax errors there is no tree.
 pub(crate) fn parse(text: &str, notation: Notation) -> Result<Node, Vec<Diagnostic>> {
     let (node, mut errors) = match notation {
         Notation::Toml => toml::parse(text),
@@ -102,8 +102,9 @@ pub(crate) fn parse(text: &str, notation: Notation) -> Result<Node, Vec<Diagnost
     if errors.is_empty() {
         return Ok(node);
     }
-    errors.sort_by_key(|error| (error.span.start, error.span.end));
-    errors.dedup();
+    // Of several errors at one place the shortest expectation says most.
+    errors.sort_by_key(|error| (error.span.start, error.label_length()));
+    errors.dedup_by_key(|error| error.span.start);
     let more = errors.len().saturating_sub(MOST_SYNTAX_ERRORS);
     errors.truncate(MOST_SYNTAX_ERRORS);
     let mut diagnostics: Vec<_> = errors.into_iter().map(SyntaxError::diagnostic).collect();
@@ -147,6 +148,13 @@ impl SyntaxError {
                 message: message.into(),
                 label: label.into(),
             },
+        }
+    }
+
+    fn label_length(&self) -> usize {
+        match &self.kind {
+            SyntaxKind::Syntax { label, .. } => label.len(),
+            SyntaxKind::DuplicateKey | SyntaxKind::TooDeep => 0,
         }
     }
 

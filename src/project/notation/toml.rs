@@ -4,13 +4,11 @@
 use super::{DEEPEST, Entry, Node, Number, SyntaxError, SyntaxKind, Value};
 use ::toml::Spanned;
 use ::toml::de::{DeArray, DeInteger, DeTable, DeValue, Error};
+use std::ops::Range;
 
 pub(super) fn parse(text: &str) -> (Node, Vec<SyntaxError>) {
     let (table, errors) = DeTable::parse_recoverable(text);
-    let mut errors: Vec<_> = errors
-        .iter()
-        .map(|error| syntax_error(error, text))
-        .collect();
+    let mut errors = syntax_errors(&errors, text);
     let root = Node {
         span: 0..text.len(),
         value: Value::Table(entries(table.get_ref(), 1, &mut errors)),
@@ -73,9 +71,46 @@ fn integer_value(integer: &DeInteger<'_>) -> Value {
     Value::Number(Number { text, whole: true })
 }
 
-fn syntax_error(error: &Error, text: &str) -> SyntaxError {
-    let span = error.span().unwrap_or(text.len()..text.len());
-    let message = error.message();
+/// The parser's errors without the consequences of an unclosed bracket: it takes all lines
+/// below for elements of the list.
+fn syntax_errors(errors: &[Error], text: &str) -> Vec<SyntaxError> {
+    let mut errors: Vec<(Range<usize>, &str)> = errors
+        .iter()
+        .map(|error| {
+            let span = error.span().unwrap_or(text.len()..text.len());
+            (span, error.message())
+        })
+        .collect();
+    errors.sort_by_key(|(span, _)| span.start);
+    let is_open = errors
+        .iter()
+        .any(|(_, message)| message.starts_with("unclosed "));
+    let first_of_line = |at: usize| {
+        let before = text.get(..at).unwrap_or_default();
+        before.trim_end_matches([' ', '\t']).ends_with('\n')
+    };
+    let swallowed = errors.iter().position(|(span, message)| {
+        is_open && message.starts_with("missing comma") && first_of_line(span.start)
+    });
+    let rest = swallowed.map_or(&errors[..0], |first| &errors[first..]);
+    let reported = &errors[..errors.len() - rest.len()];
+    let mut reported: Vec<SyntaxError> = reported
+        .iter()
+        .map(|(span, message)| syntax_error(span.clone(), message))
+        .collect();
+    if let Some((span, message)) = rest.first() {
+        let close = if message.contains("array") { "]" } else { "}" };
+        let end = text[..span.start].trim_end().len();
+        reported.push(SyntaxError::syntax(
+            end..end,
+            format!("TOML syntax: `{close}` is missing"),
+            format!("expected `{close}` before the next line begins"),
+        ));
+    }
+    reported
+}
+
+fn syntax_error(span: Range<usize>, message: &str) -> SyntaxError {
     match message {
         "duplicate key" => SyntaxError {
             span,
@@ -87,10 +122,9 @@ fn syntax_error(error: &Error, text: &str) -> SyntaxError {
         },
         _ => {
             let (found, expected) = message.split_once(", expected ").unwrap_or((message, ""));
-            let label = if expected.is_empty() {
-                "here".to_owned()
-            } else {
-                format!("expected {expected}")
+            let label = match expected {
+                "" | "nothing" => "here".to_owned(),
+                _ => format!("expected {expected}"),
             };
             SyntaxError::syntax(span, format!("TOML syntax: {found}"), label)
         }
