@@ -1,1 +1,9 @@
-//!
+//! Cutting files.
+
+pub mod drawing;
+pub mod dxf;
+pub mod labels;
+pub mod part;
+pub mod stroke_font;
+pub mod svg;
+pub mod units;

@@ -307,6 +307,15 @@ pub enum OpeningRecord {
     },
 }
 
+impl OpeningRecord {
+    /// Id of the crossing it serves.
+    pub fn crossing(&self) -> &str {
+        match self {
+            Self::Hole { crossing, .. } | Self::Notch { crossing, .. } => crossing,
+        }
+    }
+}
+
 /// A panel with its parts.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]

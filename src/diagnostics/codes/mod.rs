@@ -3,6 +3,7 @@
 //! `E` codes stop the build of their subject, `W` codes are lints that can be allowed by name in
 //! the project file (`[lints]`). Codes are never reused.
 
+pub mod fabrication;
 mod project;
 
 use serde::{Deserialize, Serialize};
@@ -51,7 +52,7 @@ pub struct CodeInfo {
 
 /// All codes, in order.
 pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
-    [project::CODES].into_iter().flatten()
+    [project::CODES, fabrication::CODES].into_iter().flatten()
 }
 
 /// Looks a code up, `E0204` or `e0204`, or a lint by its name.
