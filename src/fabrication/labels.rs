@@ -15,6 +15,8 @@ use super::stroke_font;
 pub const LEAST_HEIGHT: f64 = 2.5;
 /// Clear distance of strokes from edges, openings and each other, millimetres.
 pub const CLEAR: f64 = 1.0;
+/// Distance between two labels in letter heights, so that they are not read as one.
+const APART: f64 = 2.0;
 /// Baseline to baseline in letter heights.
 const PITCH: f64 = 1.6;
 
@@ -101,7 +103,9 @@ impl Free {
         free
     }
 
-    fn take(&mut self, used: [f64; 2]) {
+    fn take(&mut self, [from, to]: [f64; 2], height: f64) {
+        let apart = APART * height - CLEAR;
+        let used = [from - apart, to + apart];
         subtract(&mut self.open, used);
         subtract(&mut self.uncovered, used);
     }
@@ -129,7 +133,7 @@ impl Free {
                 .map(|[_, end]| end - length);
             if let Some(x) = after.or(before) {
                 let text = Text::new(&place.label, [x, baseline(strip, 1, 0, h)], h);
-                self.take([x, x + length]);
+                self.take([x, x + length], h);
                 return Some(text);
             }
         }
@@ -156,7 +160,7 @@ impl Free {
                         .fold(0.0, f64::max);
                     let place = self.stretch(free, end, length);
                     if let Some(x) = place.filter(|_| fits_across(strip, lines.len(), h)) {
-                        self.take([x, x + length]);
+                        self.take([x, x + length], h);
                         let text = |(row, line)| {
                             Text::new(line, [x, baseline(strip, lines.len(), row, h)], h)
                         };

@@ -49,18 +49,18 @@ pub struct PartStyle {
 }
 
 /// What a part is made from, besides its lamella: who crosses it where.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct Neighbours<'a> {
     /// The member whose lamella it is.
     pub member: &'a MemberRecord,
     /// Crossings and the lamella of the other member at each, those of this lamella's openings.
-    pub crossings: &'a [(&'a CrossingRecord, &'a LamellaRecord)],
+    pub crossings: Vec<(&'a CrossingRecord, &'a LamellaRecord)>,
 }
 
 /// Draws a lamella as one part. Warnings tell of labels without place.
 pub fn draw(
     lamella: &LamellaRecord,
-    neighbours: Neighbours<'_>,
+    neighbours: &Neighbours<'_>,
     style: PartStyle,
 ) -> (Part, Vec<Diagnostic>) {
     let (labels, warnings) = label(lamella, neighbours, style);
@@ -141,7 +141,7 @@ pub fn net_area(lamella: &LamellaRecord) -> f64 {
 
 fn label(
     lamella: &LamellaRecord,
-    neighbours: Neighbours<'_>,
+    neighbours: &Neighbours<'_>,
     style: PartStyle,
 ) -> (Labels, Vec<Diagnostic>) {
     let width = lamella.width * MM;

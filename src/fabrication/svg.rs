@@ -86,9 +86,12 @@ fn add(group: Group, entity: &Entity, style: &Style, height: f64) -> Group {
             entity,
         )),
         Shape::Text(text) => {
-            let element = PathElement::new()
+            let mut element = PathElement::new()
                 .set("aria-label", printable(&text.content))
                 .set("d", data(&text.strokes(), height));
+            if let Some(share) = style.letters {
+                element = element.set("stroke-width", number(share * text.height));
+            }
             group.add(labelled(stroke_only(element), entity))
         }
     }

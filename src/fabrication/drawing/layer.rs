@@ -50,6 +50,8 @@ pub enum Layer {
     /// Members of the u-family.
     DotU,
     // Both of the latter.
+    /// Clears what lies under a name.
+    Halo,
     /// Names.
     Label,
     /// Title block.
@@ -78,6 +80,7 @@ impl Layer {
             Self::Side => "SIDE",
             Self::DotV => "DOT_V",
             Self::DotU => "DOT_U",
+            Self::Halo => "HALO",
             Self::Label => "LABEL",
             Self::Title => "TITLE",
         }
@@ -89,7 +92,7 @@ impl Layer {
     }
 
     /// All layers in painting order.
-    pub const ALL: [Self; 20] = [
+    pub const ALL: [Self; 21] = [
         Self::Guide,
         Self::Engrave,
         Self::Score,
@@ -108,6 +111,7 @@ impl Layer {
         Self::Side,
         Self::DotV,
         Self::DotU,
+        Self::Halo,
         Self::Label,
         Self::Title,
     ];
@@ -133,13 +137,15 @@ pub struct Style {
     pub pen: f64,
     /// Fill of closed shapes, in SVG only.
     pub fill: Option<[u8; 3]>,
+    /// Stroke of letters as a share of their height, in SVG only; `None` takes the layer's.
+    pub letters: Option<f64>,
 }
 
 /// Hairline of cut files, millimetres: thin enough for every driver to take it as a vector.
 const HAIRLINE: f64 = 0.01;
 
 const RED: ([u8; 3], u8) = ([255, 0, 0], 1);
-const YELLOW: ([u8; 3], u8) = ([255, 255, 0], 2);
+const MAGENTA: ([u8; 3], u8) = ([255, 0, 255], 6);
 const BLUE: ([u8; 3], u8) = ([0, 0, 255], 5);
 /// Colour 7 is drawn black on white and white on black.
 const BLACK: ([u8; 3], u8) = ([0, 0, 0], 7);
@@ -169,11 +175,12 @@ fn style((rgb, aci): ([u8; 3], u8), pen: f64, fill: Option<[u8; 3]>) -> Style {
         aci,
         pen,
         fill,
+        letters: None,
     }
 }
 
 /// Cut and score swap between the presets; engraving is black, what no tool shall touch is the
-/// yellow that shops use for frames.
+/// remaining primary that shows on a screen.
 fn cut_style(preset: ColourPreset, layer: Layer) -> Style {
     let (cut, score) = match preset {
         ColourPreset::RedCut => (RED, BLUE),
@@ -183,12 +190,21 @@ fn cut_style(preset: ColourPreset, layer: Layer) -> Style {
         Layer::CutInner | Layer::CutOuter => cut,
         Layer::Score => score,
         Layer::Engrave => BLACK,
-        _ => YELLOW,
+        _ => MAGENTA,
     };
     style(colour, HAIRLINE, None)
 }
 
+/// Letters are as bold as technical lettering asks for (ISO 3098-B: a tenth of their height).
 fn people_style(layer: Layer) -> Style {
+    let letters = if layer == Layer::Halo { 0.5 } else { 0.1 };
+    Style {
+        letters: Some(letters),
+        ..plain_people_style(layer)
+    }
+}
+
+fn plain_people_style(layer: Layer) -> Style {
     match layer {
         Layer::Sheet => style(GREY, 0.25, Some(PAPER)),
         Layer::LamellaU => style(INK_U, 0.25, Some(WOOD_U)),
@@ -206,5 +222,6 @@ fn people_style(layer: Layer) -> Style {
         Layer::Score => style(BLUE, 0.25, None),
         Layer::Label | Layer::Title | Layer::Engrave => style(BLACK, 0.3, None),
         Layer::CutInner | Layer::CutOuter => style(RED, 0.25, None),
+        Layer::Halo => style((PAPER, 7), 1.0, None),
     }
 }
