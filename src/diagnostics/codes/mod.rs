@@ -5,6 +5,8 @@
 
 mod build;
 pub mod cladding;
+mod cli;
+pub mod fabrication;
 pub mod grid;
 pub mod layout;
 mod project;
@@ -74,7 +76,9 @@ pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
         layout::CODES,
         cladding::CODES,
         grid::CODES,
+        fabrication::CODES,
         build::CODES,
+        cli::CODES,
     ]
     .into_iter()
     .flatten()

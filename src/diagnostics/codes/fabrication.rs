@@ -1,0 +1,114 @@
+//! Codes of fabrication: `E07xx` parts that cannot be made, `W07xx` what a workshop should know.
+
+use super::{Code, CodeInfo};
+
+/// A lamella is longer than the panel or the bed.
+pub const PART_TOO_LONG: Code = Code::new("E0701");
+/// A lamella is wider than the panel or the bed.
+pub const PART_TOO_WIDE: Code = Code::new("E0702");
+/// Margins leave nothing of the panel.
+pub const NO_USABLE_STOCK: Code = Code::new("E0703");
+/// Parts would be cut into each other.
+pub const SPACING_BELOW_KERF: Code = Code::new("E0704");
+/// The beam is wider than an opening.
+pub const KERF_CLOSES_OPENING: Code = Code::new("E0705");
+/// A drawing has a coordinate that is no number.
+pub const NOT_A_NUMBER: Code = Code::new("E0706");
+/// No standard series for the bolt.
+pub const UNKNOWN_BOLT: Code = Code::new("E0707");
+/// No bolt of the series is long enough.
+pub const BOLT_TOO_SHORT: Code = Code::new("E0708");
+/// The shell does not go over the bolt.
+pub const SHELL_TOO_NARROW: Code = Code::new("E0709");
+/// A label found no place.
+pub const LABEL_OMITTED: Code = Code::new("W0720");
+/// A label has characters without strokes.
+pub const LABEL_CHARACTERS: Code = Code::new("W0721");
+
+pub(super) const CODES: &[CodeInfo] = &[
+    CodeInfo {
+        code: "E0701",
+        name: "part-too-long",
+        title: "a lamella is longer than the panel it is cut from",
+        text: "A lamella must fit on a panel along its length: the panel's length less both \
+margins, and, where the machine cannot push panels through, the bed's length.\n\n\
+Choose longer stock, allow splices (`splice` in `[fabrication]`), divide the patch, or set \
+`pass_through = true` if the machine's rear opens.",
+    },
+    CodeInfo {
+        code: "E0702",
+        name: "part-too-wide",
+        title: "a lamella is wider than the panel it is cut from",
+        text: "The width of a lamella must fit between the margins of the panel and of the \
+machine's bed. A lamella that is this wide is probably given in the wrong unit.",
+    },
+    CodeInfo {
+        code: "E0703",
+        name: "no-usable-stock",
+        title: "the margins leave nothing of the panel",
+        text: "`[fabrication] margin` stays free along all four borders of a sheet. Twice the \
+margin must be less than the length and width of the stock and of the bed.",
+    },
+    CodeInfo {
+        code: "E0704",
+        name: "spacing-below-kerf",
+        title: "parts lie closer than the width of the cut",
+        text: "Two neighbouring cuts each remove half a kerf of the strip between the parts. \
+If `spacing` is not larger than `kerf`, the cuts run into each other. Half the thickness of the \
+sheet plus the kerf, at least 2 mm, is a usual spacing.",
+    },
+    CodeInfo {
+        code: "E0705",
+        name: "kerf-closes-opening",
+        title: "the kerf is wider than an opening",
+        text: "Openings are drawn smaller by the kerf, so that they come out at their size. An \
+opening that is narrower than the kerf cannot be cut. The kerf of a laser is 0.1 to 0.3 mm.",
+    },
+    CodeInfo {
+        code: "E0706",
+        name: "not-a-number",
+        title: "a drawing has a coordinate that is no number",
+        text: "A stage before the drawing produced an infinite or undefined number. No file is \
+written, because no program could read it. This is a defect of the compiler: please report it \
+with the project.",
+    },
+    CodeInfo {
+        code: "E0707",
+        name: "unknown-bolt",
+        title: "no standard series for this bolt",
+        text: "The bill of materials picks bolt lengths, nuts and washers from the metric \
+series M2, M2.5, M3, M4, M5, M6, M8, M10 and M12 (ISO 7380, DIN 985, ISO 7093). Choose one of them.",
+    },
+    CodeInfo {
+        code: "E0708",
+        name: "bolt-too-short",
+        title: "no bolt of the series is long enough",
+        text: "At a connection the bolt goes through every lamella that meets there, two washers \
+and the nut. The longest bolt of the series is shorter than that. Choose thinner lamellae or a \
+larger bolt.",
+    },
+    CodeInfo {
+        code: "E0709",
+        name: "shell-too-narrow",
+        title: "the shell does not go over the bolt",
+        text: "The shell is a tube around the bolt that slides in the notch. Its bore, the outer \
+diameter less twice the wall, must be larger than the bolt. For M4 a tube of 5 mm with a wall of \
+0.45 mm fits, for M3 one of 4 mm with the same wall.",
+    },
+    CodeInfo {
+        code: "W0720",
+        name: "label-omitted",
+        title: "a label found no place on its lamella",
+        text: "Labels are engraved clear of openings, with letters at least 2.5 mm high. Where \
+crossings are dense or the lamella is narrow some labels do not fit and are left out; the layout \
+drawing shows them all. A smaller `label_height` or wider lamellae make room.",
+    },
+    CodeInfo {
+        code: "W0721",
+        name: "label-characters",
+        title: "an id has characters that cannot be engraved",
+        text: "The single-stroke font draws Latin letters, digits and common signs; letters with \
+marks lose them. A box is engraved for every other character. Name patches with letters that the \
+font has, so that lamellae can be told apart.",
+    },
+];

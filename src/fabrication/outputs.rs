@@ -1,0 +1,259 @@
+//! The files of a plan.
+
+use super::drawing::{Drawing, NotFinite};
+use super::index::PlanIndex;
+use super::layout::FlatPatch;
+use super::names::{distinct_file_names, file_name};
+use super::nesting::Blank;
+use super::part::{Part, PartStyle};
+use super::sheet::{Parts, SheetStyle, trim};
+use super::units::MM;
+use super::{cladding_plot, dxf, from_above, hardware, layout, part, sheet, svg, tables};
+use crate::diagnostics::codes::fabrication as codes;
+use crate::diagnostics::{Checked, Diagnostic, Warned};
+use crate::plan::{LamellaRecord, OpeningRecord, Plan, SheetRecord};
+use crate::project::model::{Fabrication, Grain, Hardware, Material};
+
+/// A file to write.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OutputFile {
+    /// Relative to the output folder, with forward slashes.
+    pub path: String,
+    /// Its content.
+    pub bytes: Vec<u8>,
+}
+
+/// What files depend on besides the plan.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Inputs<'a> {
+    /// `[hardware]`.
+    pub hardware: &'a Hardware,
+    /// `[fabrication]`.
+    pub fabrication: &'a Fabrication,
+    /// Materials that lamellae name.
+    pub materials: &'a [Material],
+}
+
+/// Every file of a plan whose sheets and bill are made.
+pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
+    let Warned {
+        value: parts,
+        warnings,
+    } = parts(plan, inputs)?;
+    let mut files = Vec::new();
+    let mut errors = Vec::new();
+    let mut take = |result: Result<Vec<OutputFile>, Diagnostic>| match result {
+        Ok(made) => files.extend(made),
+        Err(error) => errors.push(error),
+    };
+    take(cladding_files(plan));
+    take(layout_files(plan, inputs));
+    let by_id: Parts = parts.iter().map(|part| (part.id.as_str(), part)).collect();
+    for sheet in &plan.sheets {
+        take(sheet_files(plan, sheet, &by_id, inputs));
+    }
+    take(Ok(table_files(plan, inputs)));
+    if errors.is_empty() {
+        Ok(Warned {
+            value: files,
+            warnings,
+        })
+    } else {
+        errors.extend(warnings);
+        Err(errors)
+    }
+}
+
+/// What nesting needs of the lamellae.
+pub fn blanks(lamellae: &[LamellaRecord], materials: &[Material]) -> Vec<Blank> {
+    lamellae
+        .iter()
+        .map(|lamella| Blank {
+            id: lamella.id.clone(),
+            material: lamella.material.clone(),
+            thickness: lamella.thickness,
+            length: lamella.length,
+            width: lamella.width,
+            grain: grain(&lamella.material, materials),
+        })
+        .collect()
+}
+
+/// Every lamella as a part to cut.
+pub fn parts(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<Part>> {
+    let mut errors = hardware::check(inputs.hardware);
+    errors.extend(kerf_errors(plan, inputs.fabrication));
+    if !errors.is_empty() {
+        return Err(errors);
+    }
+    let style = PartStyle {
+        kerf: inputs.fabrication.kerf * MM,
+        label_height: inputs.fabrication.label_height * MM,
+        sticker_margin: inputs.hardware.sticker.as_ref().map_or(0.0, |s| s.margin) * MM,
+    };
+    let index = PlanIndex::new(plan);
+    let mut warnings = Vec::new();
+    let mut parts = Vec::new();
+    for lamella in &plan.lamellae {
+        if let Some(neighbours) = index.neighbours(lamella) {
+            let (part, told) = part::draw(lamella, &neighbours, style);
+            parts.push(part);
+            warnings.extend(told);
+        }
+    }
+    Ok(Warned {
+        value: parts,
+        warnings,
+    })
+}
+
+/// The cut file and the overview of a sheet.
+pub fn sheet_files(
+    plan: &Plan,
+    sheet: &SheetRecord,
+    parts: &Parts<'_>,
+    inputs: Inputs<'_>,
+) -> Result<Vec<OutputFile>, Diagnostic> {
+    let style = SheetStyle {
+        project: &plan.name,
+        count: plan.sheets.len(),
+        kerf: inputs.fabrication.kerf * MM,
+        grain: grain(&sheet.material, inputs.materials),
+        colours: inputs.fabrication.colours,
+    };
+    let name = format!(
+        "fabrication/{}_{}-{}mm_{}-of-{:02}",
+        file_name(&plan.name),
+        file_name(&sheet.material),
+        trim(sheet.thickness * MM),
+        sheet.id,
+        plan.sheets.len()
+    );
+    let mut files = both(&name, &sheet::cut_file(sheet, parts, &style))?;
+    files.push(picture(
+        &format!("{name}.overview"),
+        &sheet::overview(sheet, parts, &style),
+    )?);
+    Ok(files)
+}
+
+/// The flat layout of every patch, and the members from above.
+pub fn layout_files(plan: &Plan, inputs: Inputs<'_>) -> Result<Vec<OutputFile>, Diagnostic> {
+    let index = PlanIndex::new(plan);
+    let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
+    let mut files = Vec::new();
+    for (patch, name) in plan.patches.iter().zip(names) {
+        let members = plan.members.iter().filter(|m| m.patch == patch.id);
+        let is_here = |member: &str| index.member(member).is_some_and(|m| m.patch == patch.id);
+        let flat = FlatPatch {
+            project: &plan.name,
+            patch,
+            lamellae: members
+                .filter_map(|member| Some((member, index.lamella_of(&member.id)?)))
+                .collect(),
+            crossings: plan.crossings.iter().filter(|c| is_here(&c.u)).collect(),
+            bolt: inputs.hardware.bolt.diameter,
+        };
+        files.extend(both(&format!("layout/{name}"), &layout::draw(&flat))?);
+    }
+    let above = from_above::draw(&plan.name, &plan.patches, &plan.members, &plan.points);
+    files.push(picture("layout/from-above", &above)?);
+    Ok(files)
+}
+
+/// The cladding functions of every patch.
+pub fn cladding_files(plan: &Plan) -> Result<Vec<OutputFile>, Diagnostic> {
+    let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
+    plan.patches
+        .iter()
+        .zip(names)
+        .map(|(patch, name)| {
+            let members: Vec<_> = plan
+                .members
+                .iter()
+                .filter(|m| m.patch == patch.id)
+                .collect();
+            picture(
+                &format!("cladding/{name}"),
+                &cladding_plot::draw(patch, &members),
+            )
+        })
+        .collect()
+}
+
+/// The tables.
+pub fn table_files(plan: &Plan, inputs: Inputs<'_>) -> Vec<OutputFile> {
+    let file = |path: &str, bytes| OutputFile {
+        path: path.to_owned(),
+        bytes,
+    };
+    vec![
+        file("bom.csv", tables::bom(&plan.bill_of_materials)),
+        file("cutlist.csv", tables::cut_list(plan, inputs.materials)),
+        file("crossings.csv", tables::crossings(plan, inputs.hardware)),
+    ]
+}
+
+fn grain(material: &str, materials: &[Material]) -> Grain {
+    // Materials of a checked project are known; for others the usual case holds.
+    materials
+        .iter()
+        .find(|m| m.name == material)
+        .map_or(Grain::Along, |m| m.grain)
+}
+
+fn kerf_errors(plan: &Plan, fabrication: &Fabrication) -> Option<Diagnostic> {
+    let (lamella, diameter) = plan
+        .lamellae
+        .iter()
+        .flat_map(|lamella| lamella.openings.iter().map(move |o| (lamella, o)))
+        .map(|(lamella, opening)| match opening {
+            OpeningRecord::Hole { diameter, .. } | OpeningRecord::Notch { diameter, .. } => {
+                (lamella, *diameter)
+            }
+        })
+        .find(|(_, diameter)| *diameter <= fabrication.kerf)?;
+    Some(
+        Diagnostic::error(
+            codes::KERF_CLOSES_OPENING,
+            format!(
+                "an opening of {:.2} mm in `{}` is cut with a kerf of {:.2} mm",
+                diameter * MM,
+                lamella.id,
+                fabrication.kerf * MM
+            ),
+        )
+        .at_key("fabrication.kerf", "wider than the opening")
+        .about(&lamella.id),
+    )
+}
+
+/// A drawing as DXF and SVG.
+fn both(name: &str, drawing: &Drawing) -> Result<Vec<OutputFile>, Diagnostic> {
+    let bytes = dxf::write(drawing).map_err(|error| not_finite(name, &error))?;
+    let dxf = OutputFile {
+        path: format!("{name}.dxf"),
+        bytes,
+    };
+    Ok(vec![dxf, picture(name, drawing)?])
+}
+
+/// A drawing as SVG.
+fn picture(name: &str, drawing: &Drawing) -> Result<OutputFile, Diagnostic> {
+    let bytes = svg::write(drawing).map_err(|error| not_finite(name, &error))?;
+    Ok(OutputFile {
+        path: format!("{name}.svg"),
+        bytes,
+    })
+}
+
+fn not_finite(name: &str, NotFinite { layer, subject }: &NotFinite) -> Diagnostic {
+    Diagnostic::error(
+        codes::NOT_A_NUMBER,
+        format!(
+            "`{name}` has a coordinate that is no number, on layer {}",
+            layer.name()
+        ),
+    )
+    .about(subject)
+}
