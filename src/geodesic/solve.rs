@@ -377,7 +377,7 @@ impl<'a> Sweep<'a> {
             sigma,
             root,
         };
-        if window.is_open() {
+        if b[1] > b[0] && depth > 0.0 {
             let mut new = self.front.collect();
             new.push(window);
             self.front.arrive(h, Entry::Corner, new, window.nearest());
