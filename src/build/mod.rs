@@ -4,6 +4,7 @@ mod clock;
 mod declare;
 mod engine;
 mod event;
+pub mod graph;
 mod key;
 mod location;
 mod needs;
@@ -14,6 +15,7 @@ mod request;
 mod session;
 mod source;
 mod stage;
+mod stages;
 mod stamp;
 mod store;
 

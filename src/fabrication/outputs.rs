@@ -48,6 +48,7 @@ pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     };
     take(cladding_files(plan));
     take(layout_files(plan, inputs));
+    take(above_files(plan));
     let by_id: Parts = parts.iter().map(|part| (part.id.as_str(), part)).collect();
     for sheet in &plan.sheets {
         take(sheet_files(plan, sheet, &by_id, inputs));
@@ -137,7 +138,7 @@ pub fn sheet_files(
     Ok(files)
 }
 
-/// The flat layout of every patch, and the members from above.
+/// The flat layout of every patch.
 pub fn layout_files(plan: &Plan, inputs: Inputs<'_>) -> Result<Vec<OutputFile>, Diagnostic> {
     let index = PlanIndex::new(plan);
     let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
@@ -156,9 +157,13 @@ pub fn layout_files(plan: &Plan, inputs: Inputs<'_>) -> Result<Vec<OutputFile>, 
         };
         files.extend(both(&format!("layout/{name}"), &layout::draw(&flat))?);
     }
-    let above = from_above::draw(&plan.name, &plan.patches, &plan.members, &plan.points);
-    files.push(picture("layout/from-above", &above)?);
     Ok(files)
+}
+
+/// The members of all patches from above.
+pub fn above_files(plan: &Plan) -> Result<Vec<OutputFile>, Diagnostic> {
+    let above = from_above::draw(&plan.name, &plan.patches, &plan.members, &plan.points);
+    Ok(vec![picture("layout/from-above", &above)?])
 }
 
 /// The cladding functions of every patch.
