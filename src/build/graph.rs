@@ -81,7 +81,10 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
     let surface = graph.add(
         &SURFACE,
         "",
-        SurfaceInput { mesh: mesh.clone(), options: ReadOptions::of(&project.surface) },
+        SurfaceInput {
+            mesh: mesh.clone(),
+            options: ReadOptions::of(&project.surface),
+        },
         (),
     );
     graph.origin(surface, "", "surface");
@@ -105,7 +108,13 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         .iter()
         .enumerate()
         .map(|(i, patch)| {
-            let basis = Basis { design, surface, curvature, network: &network, counts: &counts };
+            let basis = Basis {
+                design,
+                surface,
+                curvature,
+                network: &network,
+                counts: &counts,
+            };
             chapter(graph, &basis, &mut lines, patch, i, told)
         })
         .collect();
@@ -115,7 +124,11 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         "",
         NestInput {
             settings: Settings::new(&project.fabrication),
-            grains: project.materials.iter().map(|m| (m.name.clone(), m.grain)).collect(),
+            grains: project
+                .materials
+                .iter()
+                .map(|m| (m.name.clone(), m.grain))
+                .collect(),
         },
         chapters.clone(),
     );
@@ -138,7 +151,10 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
     let plan = graph.add(
         &PLAN,
         "",
-        PlanInput { name: project.name.clone(), subjects },
+        PlanInput {
+            name: project.name.clone(),
+            subjects,
+        },
         (skeleton, chapters.clone(), nest, bill, warnings),
     );
     graph.origin(plan, "name", "project.name");
@@ -205,12 +221,21 @@ impl<'n> Lines<'n> {
         points: &[Point],
         network: &'n Network,
     ) -> Self {
-        let list = points.iter().map(|p| (p.name.clone(), p.anchor.clone())).collect();
+        let list = points
+            .iter()
+            .map(|p| (p.name.clone(), p.anchor.clone()))
+            .collect();
         let anchors = graph.add(&ANCHORS, "", list, surface);
         for (i, point) in points.iter().enumerate() {
             graph.origin(anchors, format!("[{i}]"), key(&["points", &point.name]));
         }
-        Self { surface, anchors, network, points: BTreeMap::new(), lines: BTreeMap::new() }
+        Self {
+            surface,
+            anchors,
+            network,
+            points: BTreeMap::new(),
+            lines: BTreeMap::new(),
+        }
     }
 
     /// An anchor, by name.
@@ -220,11 +245,16 @@ impl<'n> Lines<'n> {
         }
         // A station strictly inside a line stands on it; the ends of a line have a place of
         // their own, or stand on another line.
-        let host = self.network.lines.iter().enumerate().find_map(|(index, line)| {
-            let last = line.stations.len() - 1;
-            let station = line.stations[1..last].iter().find(|s| s.name == name)?;
-            Some((index, station.share))
-        });
+        let host = self
+            .network
+            .lines
+            .iter()
+            .enumerate()
+            .find_map(|(index, line)| {
+                let last = line.stations.len() - 1;
+                let station = line.stations[1..last].iter().find(|s| s.name == name)?;
+                Some((index, station.share))
+            });
         let node = match host {
             Some((index, share)) => {
                 let line = self.line(graph, index);
@@ -267,10 +297,13 @@ fn skeleton(
     for piece in network.sides.iter().flatten() {
         for (i, j) in piece.segments() {
             let stations = &network.lines[piece.line].stations;
-            let position = used.iter().position(|&l| l == piece.line).unwrap_or_else(|| {
-                used.push(piece.line);
-                used.len() - 1
-            });
+            let position = used
+                .iter()
+                .position(|&l| l == piece.line)
+                .unwrap_or_else(|| {
+                    used.push(piece.line);
+                    used.len() - 1
+                });
             let (mut from, mut to) = (&stations[i], &stations[j]);
             if from.name > to.name {
                 (from, to) = (to, from);
@@ -289,7 +322,12 @@ fn skeleton(
         edges: edges.into_values().collect(),
     };
     let point_nodes = points.iter().map(|(_, node)| *node).collect();
-    graph.add(&SKELETON, "", input, (surface, curvature, point_nodes, line_nodes))
+    graph.add(
+        &SKELETON,
+        "",
+        input,
+        (surface, curvature, point_nodes, line_nodes),
+    )
 }
 
 /// Numbers of members per patch and family, chained over strips.
@@ -320,7 +358,10 @@ impl Counts {
 
     /// A checked project says each strip's count; two members are the least there can be.
     fn get(&self, patch: &str, family: Family) -> u32 {
-        self.0.get(&(patch.to_owned(), family)).copied().unwrap_or(2)
+        self.0
+            .get(&(patch.to_owned(), family))
+            .copied()
+            .unwrap_or(2)
     }
 }
 
@@ -341,14 +382,19 @@ fn chapter(
     index: usize,
     told: &mut Vec<(String, Warnings)>,
 ) -> Node<Plan> {
-    let Basis { design, surface, curvature, network, counts } = *basis;
+    let Basis {
+        design,
+        surface,
+        curvature,
+        network,
+        counts,
+    } = *basis;
     let project = design.project;
     let name = &patch.name;
     let here = key(&["patches", name]);
     let pieces = network.sides[index];
-    let shares = pieces.map(|piece| {
-        [piece.from, piece.to].map(|i| network.lines[piece.line].stations[i].share)
-    });
+    let shares = pieces
+        .map(|piece| [piece.from, piece.to].map(|i| network.lines[piece.line].stations[i].share));
     let [first, second, third, fourth] = pieces.map(|piece| lines.line(graph, piece.line));
     let domain = graph.add(
         &PATCH,
@@ -388,7 +434,9 @@ fn chapter(
     let judgement = graph.add(
         &JUDGEMENT,
         name,
-        FeasibilityInput { eta_max: project.split.eta_max },
+        FeasibilityInput {
+            eta_max: project.split.eta_max,
+        },
         (feasibility, clad),
     );
     graph.origin(judgement, "", &here);
@@ -403,7 +451,8 @@ fn chapter(
         let input = DistributionInput {
             family,
             count: counts.get(name, family),
-            weights: [start, end].map(|side| weight(project, side.map(|i: usize| &patch.corners[i]))),
+            weights: [start, end]
+                .map(|side| weight(project, side.map(|i: usize| &patch.corners[i]))),
         };
         let shares = graph.add(&DISTRIBUTION, target(family), input, clad);
         graph.origin(shares, "", format!("{here}.members"));
@@ -424,12 +473,19 @@ fn chapter(
     graph.origin(lamellae, "clearance", "fabrication.clearance");
     graph.origin(lamellae, "bolt", "hardware.bolt");
     graph.origin(lamellae, "slider", "hardware.shell");
-    graph.origin(lamellae, "density", key(&["materials", &patch.lamella.material, "density"]));
+    graph.origin(
+        lamellae,
+        "density",
+        key(&["materials", &patch.lamella.material, "density"]),
+    );
     told.push((name.clone(), lamellae.warnings()));
 
     let stretches = pieces.map(|piece| {
         let stations = &network.lines[piece.line].stations;
-        piece.segments().map(|(i, j)| edge_id(&stations[i].name, &stations[j].name)).collect()
+        piece
+            .segments()
+            .map(|(i, j)| edge_id(&stations[i].name, &stations[j].name))
+            .collect()
     });
     let chapter = graph.add(
         &CHAPTER,
@@ -444,20 +500,33 @@ fn chapter(
         (domain, clad, feasibility, judgement, u, v, grid, lamellae),
     );
     graph.origin(chapter, "", &here);
-    graph.origin(chapter, "material", lamella_key(design.spans, name, "material"));
+    graph.origin(
+        chapter,
+        "material",
+        lamella_key(design.spans, name, "material"),
+    );
     chapter
 }
 
 /// What shapes the lamellae of a patch.
 fn section(project: &Project, patch: &Patch) -> Section {
     let hardware = &project.hardware;
-    let material = project.materials.iter().find(|m| m.name == patch.lamella.material);
+    let material = project
+        .materials
+        .iter()
+        .find(|m| m.name == patch.lamella.material);
     Section {
         width: patch.lamella.width,
         thickness: patch.lamella.thickness,
-        end_margin: project.fabrication.end_margin.unwrap_or(patch.lamella.width),
+        end_margin: project
+            .fabrication
+            .end_margin
+            .unwrap_or(patch.lamella.width),
         bolt: hardware.bolt.diameter,
-        slider: hardware.shell.as_ref().map_or(hardware.bolt.diameter, |s| s.diameter),
+        slider: hardware
+            .shell
+            .as_ref()
+            .map_or(hardware.bolt.diameter, |s| s.diameter),
         clearance: project.fabrication.clearance,
         // A checked project knows the materials of its lamellae.
         density: material.map_or(0.0, |m| m.density),
@@ -466,16 +535,22 @@ fn section(project: &Project, patch: &Patch) -> Section {
 
 /// Weight of a side in the even distribution.
 fn weight(project: &Project, side: [&String; 2]) -> f64 {
-    let said = project.distribution.weights.iter().find(|([a, b], _)| {
-        [a, b] == side || [b, a] == side
-    });
+    let said = project
+        .distribution
+        .weights
+        .iter()
+        .find(|([a, b], _)| [a, b] == side || [b, a] == side);
     said.map_or(1.0, |(_, weight)| *weight)
 }
 
 /// Where the project says a lamella's field of a patch: the patch's own, or the common one.
 fn lamella_key(spans: &SpanTable, patch: &str, field: &str) -> String {
     let own = key(&["lamella", patch, field]);
-    if spans.contains(&own) { own } else { key(&["lamella", field]) }
+    if spans.contains(&own) {
+        own
+    } else {
+        key(&["lamella", field])
+    }
 }
 
 /// A key path of the project.

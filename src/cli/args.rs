@@ -23,7 +23,13 @@ pub(super) struct Cli {
 pub(super) struct Global {
     /// How diagnostics and progress are written: for people, or one JSON object a line on standard
     /// output
-    #[arg(long, global = true, value_enum, default_value_t, value_name = "FORMAT")]
+    #[arg(
+        long,
+        global = true,
+        value_enum,
+        default_value_t,
+        value_name = "FORMAT"
+    )]
     pub(super) message_format: MessageFormat,
     /// When to use colour; `auto` also obeys `NO_COLOR` and `FORCE_COLOR`
     #[arg(long, global = true, value_enum, default_value_t, value_name = "WHEN")]

@@ -31,7 +31,10 @@ impl Console {
 
     /// The same for a command whose result is a document on standard output.
     pub(super) fn with_document(self) -> Self {
-        Self { document: true, ..self }
+        Self {
+            document: true,
+            ..self
+        }
     }
 
     /// Whether a progress bar can be drawn and is wanted.
@@ -72,7 +75,10 @@ impl Console {
     pub(super) fn complain(&self, message: &str, help: Option<&str>) {
         let help = help.map_or(String::new(), |help| format!("  help: {help}\n"));
         if self.is_json() {
-            self.record(&Complaint { reason: "usage-error", message });
+            self.record(&Complaint {
+                reason: "usage-error",
+                message,
+            });
         } else {
             err(&format!("error: {message}\n{help}"));
         }
@@ -89,7 +95,11 @@ impl Console {
     }
 
     fn records(&self, lines: &str) {
-        if self.document { err(lines) } else { out(lines) }
+        if self.document {
+            err(lines)
+        } else {
+            out(lines)
+        }
     }
 }
 

@@ -12,8 +12,11 @@ const UNREADABLE_MESH: Code = Code::new("E0901");
 const OUTSIDE: Code = Code::new("E0902");
 
 /// What the pipeline does beyond cutting lamellae from patches as they stand.
-const BUILT: [Capability; 3] =
-    [Capability::Shells, Capability::KerfCompensation, Capability::Costs];
+const BUILT: [Capability; 3] = [
+    Capability::Shells,
+    Capability::KerfCompensation,
+    Capability::Costs,
+];
 
 /// A project file that was read.
 #[derive(Debug)]
@@ -48,18 +51,32 @@ impl Opened {
             console.complain(&format!("cannot read `{}`: {error}", path.display()), None);
             Exit::Usage
         })?;
-        let stem = path.file_stem().map_or_else(String::new, |s| s.to_string_lossy().into_owned());
+        let stem = path
+            .file_stem()
+            .map_or_else(String::new, |s| s.to_string_lossy().into_owned());
         let (text, mut loaded) = match decode(&bytes) {
             Ok(text) => (text.to_owned(), load(text, notation, &stem)),
             Err(diagnostics) => {
                 let lossy = String::from_utf8_lossy(&bytes).into_owned();
                 let empty = load("", notation, &stem);
-                (lossy, Loaded { project: None, diagnostics, ..empty })
+                (
+                    lossy,
+                    Loaded {
+                        project: None,
+                        diagnostics,
+                        ..empty
+                    },
+                )
             }
         };
         let missing = unbuilt(&loaded, &BUILT);
         loaded.diagnostics.extend(missing);
-        Ok(Self { path, text, loaded, mesh_text: None })
+        Ok(Self {
+            path,
+            text,
+            loaded,
+            mesh_text: None,
+        })
     }
 
     /// The model, or the end of the command when there are errors.
@@ -79,40 +96,72 @@ impl Opened {
     /// there is no repository.
     pub(super) fn mesh_path(&self, project: &Project) -> Result<PathBuf, Diagnostic> {
         let path = self.folder().join(&project.surface.mesh);
-        let refuse = |code, message: String| Diagnostic::error(code, message).at_key("surface.mesh", "this file");
+        let refuse = |code, message: String| {
+            Diagnostic::error(code, message).at_key("surface.mesh", "this file")
+        };
         let real = path.canonicalize().map_err(|error| {
-            refuse(UNREADABLE_MESH, format!("cannot read the mesh `{}`: {error}", project.surface.mesh))
-                .help("paths are relative to the project file")
+            refuse(
+                UNREADABLE_MESH,
+                format!("cannot read the mesh `{}`: {error}", project.surface.mesh),
+            )
+            .help("paths are relative to the project file")
         })?;
-        let folder = self.folder().canonicalize().unwrap_or_else(|_| self.folder().to_owned());
-        let root = folder.ancestors().find(|a| a.join(".git").exists()).unwrap_or(&folder);
+        let folder = self
+            .folder()
+            .canonicalize()
+            .unwrap_or_else(|_| self.folder().to_owned());
+        let root = folder
+            .ancestors()
+            .find(|a| a.join(".git").exists())
+            .unwrap_or(&folder);
         if real.starts_with(root) {
             Ok(path)
         } else {
-            Err(refuse(OUTSIDE, format!("the mesh `{}` lies outside the project", project.surface.mesh))
-                .help("copy it into the project's folder, so that whoever has the project has the mesh"))
+            Err(refuse(
+                OUTSIDE,
+                format!(
+                    "the mesh `{}` lies outside the project",
+                    project.surface.mesh
+                ),
+            )
+            .help(
+                "copy it into the project's folder, so that whoever has the project has the mesh",
+            ))
         }
     }
 
     /// Reads the mesh's text if one of the diagnostics points into it.
     pub(super) fn fetch_mesh_text(&mut self, diagnostics: &[Diagnostic]) {
         use crate::diagnostics::{File, Place};
-        let into_mesh = diagnostics
-            .iter()
-            .flat_map(|d| &d.labels)
-            .any(|label| matches!(label.place, Place::Bytes { file: File::Mesh, .. }));
+        let into_mesh = diagnostics.iter().flat_map(|d| &d.labels).any(|label| {
+            matches!(
+                label.place,
+                Place::Bytes {
+                    file: File::Mesh,
+                    ..
+                }
+            )
+        });
         if let Some(project) = self.loaded.project.as_ref().filter(|_| into_mesh) {
             let path = self.folder().join(&project.surface.mesh);
             // Byte ranges count bytes of the file; characters that are no UTF-8 keep one place
             // each, so that the places after them stay right.
-            self.mesh_text = std::fs::read(path).ok().map(|bytes| match String::from_utf8(bytes) {
-                Ok(text) => text,
-                Err(error) => error
-                    .into_bytes()
-                    .into_iter()
-                    .map(|byte| if byte.is_ascii() { char::from(byte) } else { '?' })
-                    .collect(),
-            });
+            self.mesh_text = std::fs::read(path)
+                .ok()
+                .map(|bytes| match String::from_utf8(bytes) {
+                    Ok(text) => text,
+                    Err(error) => error
+                        .into_bytes()
+                        .into_iter()
+                        .map(|byte| {
+                            if byte.is_ascii() {
+                                char::from(byte)
+                            } else {
+                                '?'
+                            }
+                        })
+                        .collect(),
+                });
         }
     }
 
@@ -121,7 +170,10 @@ impl Opened {
         let name = self.path.to_string_lossy().replace('\\', "/");
         let mesh_name = self.loaded.project.as_ref().map(|p| p.surface.mesh.clone());
         let sources = Sources {
-            project: Source { name: &name, text: &self.text },
+            project: Source {
+                name: &name,
+                text: &self.text,
+            },
             spans: &self.loaded.spans,
             mesh: self
                 .mesh_text
@@ -163,9 +215,15 @@ fn find(console: &Console) -> Result<PathBuf, Exit> {
             Err(Exit::Usage)
         }
         several => {
-            let names: Vec<_> = several.iter().map(|p| format!("`{}`", p.display())).collect();
+            let names: Vec<_> = several
+                .iter()
+                .map(|p| format!("`{}`", p.display()))
+                .collect();
             console.complain(
-                &format!("there are several project files in this folder: {}", names.join(", ")),
+                &format!(
+                    "there are several project files in this folder: {}",
+                    names.join(", ")
+                ),
                 Some("name the one to use"),
             );
             Err(Exit::Usage)
@@ -175,6 +233,8 @@ fn find(console: &Console) -> Result<PathBuf, Exit> {
 
 /// Other programs keep TOML files too (Cargo.toml): a project has a `[surface]`.
 fn is_project(path: &Path) -> bool {
-    std::fs::read_to_string(path)
-        .is_ok_and(|text| text.lines().any(|line| line.trim_start().starts_with("[surface]")))
+    std::fs::read_to_string(path).is_ok_and(|text| {
+        text.lines()
+            .any(|line| line.trim_start().starts_with("[surface]"))
+    })
 }

@@ -22,7 +22,12 @@ pub fn main() -> ExitCode {
         Ok(cli) => cli,
         Err(error) => {
             let _ = error.print();
-            return if error.use_stderr() { Exit::Usage } else { Exit::Done }.into();
+            return if error.use_stderr() {
+                Exit::Usage
+            } else {
+                Exit::Done
+            }
+            .into();
         }
     };
     let console = Console::new(&cli.global);
@@ -41,12 +46,19 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
     let Cli { global, command } = cli;
     if let Some(jobs) = global.jobs {
         // Fails only if a pool exists already, and then that one serves.
-        let _ = rayon::ThreadPoolBuilder::new().num_threads(jobs.into()).build_global();
+        let _ = rayon::ThreadPoolBuilder::new()
+            .num_threads(jobs.into())
+            .build_global();
     }
     let ended = match command {
         Command::Init { name } => Ok(init::run(console, &name)),
         Command::Check { file } => check::run(console, &global, file.path.as_deref()),
-        Command::Build { file, selection, dry_run, force } => {
+        Command::Build {
+            file,
+            selection,
+            dry_run,
+            force,
+        } => {
             let request = build::request(&selection, force);
             let run = if dry_run { build::dry_run } else { build::run };
             run(console, &global, file.path.as_deref(), &request)

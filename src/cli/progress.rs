@@ -31,14 +31,28 @@ impl Progress {
         match event {
             Event::Planned { tally } => self.draw(tally, ""),
             Event::Started { instance, tally } => self.draw(tally, &instance.to_string()),
-            Event::Progress { instance, done, total, tally } => {
+            Event::Progress {
+                instance,
+                done,
+                total,
+                tally,
+            } => {
                 self.draw(tally, &format!("{instance} ({done}/{total})"));
             }
-            Event::Waiting { instance, process, tally } => {
+            Event::Waiting {
+                instance,
+                process,
+                tally,
+            } => {
                 let whom = process.map_or_else(String::new, |id| format!(" {id}"));
                 self.draw(tally, &format!("{instance} (waiting for process{whom})"));
             }
-            Event::Finished { instance, how, duration, tally } => {
+            Event::Finished {
+                instance,
+                how,
+                duration,
+                tally,
+            } => {
                 self.draw(tally, "");
                 self.console.record(&StageFinished {
                     reason: "stage-finished",
@@ -58,7 +72,9 @@ impl Progress {
         let left = tally
             .remaining
             .filter(|left| *left >= Duration::from_secs(1))
-            .map_or_else(String::new, |left| format!(" about {} s left", left.as_secs()));
+            .map_or_else(String::new, |left| {
+                format!(" about {} s left", left.as_secs())
+            });
         bar.set_message(format!("{message}{left}"));
     }
 

@@ -33,10 +33,19 @@ impl Job {
         let output = output_directory(global, &opened, project);
         let mut engine = Engine::open(settings(console, global, &output)?);
         let mesh = engine.source(&mesh_path).map_err(|error| {
-            console.complain(&format!("cannot read `{}`: {error}", mesh_path.display()), None);
+            console.complain(
+                &format!("cannot read `{}`: {error}", mesh_path.display()),
+                None,
+            );
             Exit::Errors
         })?;
-        Ok(Self { opened, engine, output, mesh, console })
+        Ok(Self {
+            opened,
+            engine,
+            output,
+            mesh,
+            console,
+        })
     }
 
     /// Builds up to an extent; tells diagnostics.
@@ -46,7 +55,11 @@ impl Job {
         let progress = Progress::new(self.console);
         let (opened, mesh) = (&self.opened, &self.mesh);
         let project = opened.project()?;
-        let design = Design { project, spans: &opened.loaded.spans, mesh };
+        let design = Design {
+            project,
+            spans: &opened.loaded.spans,
+            mesh,
+        };
         let built = self.engine.build(
             request,
             &|graph: &mut Graph<'_>| declare(graph, design, extent),
@@ -65,21 +78,38 @@ impl Job {
     }
 
     /// What a build would do.
-    pub(super) fn plan(&self, request: &Request, extent: Extent) -> Result<crate::build::Plan, Exit> {
+    pub(super) fn plan(
+        &self,
+        request: &Request,
+        extent: Extent,
+    ) -> Result<crate::build::Plan, Exit> {
         let project = self.opened.project()?;
-        let design = Design { project, spans: &self.opened.loaded.spans, mesh: &self.mesh };
-        Ok(self.engine.plan(request, &|graph: &mut Graph<'_>| declare(graph, design, extent)))
+        let design = Design {
+            project,
+            spans: &self.opened.loaded.spans,
+            mesh: &self.mesh,
+        };
+        Ok(self.engine.plan(request, &|graph: &mut Graph<'_>| {
+            declare(graph, design, extent)
+        }))
     }
 
     /// Errors of the project file do not stop here, those of stages do.
     pub(super) fn verdict(built: &Built) -> Exit {
-        if built.succeeded() && !has_errors(&built.diagnostics) { Exit::Done } else { Exit::Errors }
+        if built.succeeded() && !has_errors(&built.diagnostics) {
+            Exit::Done
+        } else {
+            Exit::Errors
+        }
     }
 }
 
 fn output_directory(global: &Global, opened: &Opened, project: &Project) -> PathBuf {
     let folder = crate::fabrication::names::file_name(&project.name);
-    global.out.clone().unwrap_or_else(|| opened.folder().join("build").join(folder))
+    global
+        .out
+        .clone()
+        .unwrap_or_else(|| opened.folder().join("build").join(folder))
 }
 
 fn settings(console: Console, global: &Global, output: &std::path::Path) -> Result<Settings, Exit> {
@@ -107,7 +137,11 @@ fn settings(console: Console, global: &Global, output: &std::path::Path) -> Resu
 /// What tells this binary from the one compiled before it.
 fn build_id() -> Option<String> {
     let metadata = std::env::current_exe().ok()?.metadata().ok()?;
-    Some(format!("{:?} {}", metadata.modified().ok()?, metadata.len()))
+    Some(format!(
+        "{:?} {}",
+        metadata.modified().ok()?,
+        metadata.len()
+    ))
 }
 
 /// Stops a build on Ctrl-C: what is finished is kept.

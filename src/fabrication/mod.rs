@@ -38,6 +38,6 @@ pub mod tables;
 pub mod units;
 
 pub use outputs::{
-    Inputs, OutputFile, above_files, blanks, cladding_files, layout_files, outputs, parts, sheet_files,
-    table_files,
+    Inputs, OutputFile, above_files, blanks, cladding_files, layout_files, outputs, parts,
+    sheet_files, table_files,
 };

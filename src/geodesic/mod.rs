@@ -26,7 +26,6 @@ mod charts;
 mod crossing;
 mod error;
 mod field;
-mod front;
 mod path;
 mod solve;
 mod strip;
@@ -44,13 +43,6 @@ pub use variation::{angle_between, derivative_along};
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
 use charts::Charts;
 use solve::{Sweep, Until};
-
-/// dev
-pub static WINDOWS: std::sync::atomic::AtomicU64 = std::sync::atomic::AtomicU64::new(0);
-/// dev
-pub static STATS: [std::sync::atomic::AtomicU64; 12] = [const { std::sync::atomic::AtomicU64::new(0) }; 12];
-#[allow(dead_code)]
-pub(crate) fn stat(i: usize, n: usize) { STATS[i].fetch_add(n as u64, std::sync::atomic::Ordering::Relaxed); }
 
 /// Exact geodesics on a mesh: what is computed once, shared by all solves and threads.
 pub struct Geodesics<'m> {

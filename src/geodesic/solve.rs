@@ -11,10 +11,11 @@
 //! directions at the vertices (see `trace`).
 
 use super::charts::{BORDER, Chart, Charts};
-use super::front::{Entry, Front, Next};
 use super::trim;
-use super::window::{Clip, SOURCE, Window};
+use super::window::{SOURCE, Window};
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
+use std::cmp::Reverse;
+use std::collections::BinaryHeap;
 
 /// A target counts as inside a window that misses it by less than this share of the edge,
 /// measured at the target. The bend that such a path would need lengthens it by the square.
@@ -88,6 +89,20 @@ pub(super) struct Sweep<'a> {
     front: Front,
 }
 
+/// Half-edges with pending windows, and vertices about to become sources.
+#[derive(Default)]
+pub(super) struct Front {
+    pending: Vec<Vec<Window>>,
+    queue: BinaryHeap<Reverse<(u64, u32)>>,
+    left: Vec<Window>,
+    right: Vec<Window>,
+    merged: Vec<Window>,
+    swept: Vec<(Window, f64)>,
+}
+
+/// Marks a queue entry as a vertex.
+const VERTEX: u32 = 1 << 31;
+
 impl<'a> Sweep<'a> {
     pub(super) fn new(mesh: &'a Mesh, charts: &'a Charts, targets: &[SurfacePoint]) -> Self {
         let targets: Vec<Target> = targets
@@ -107,7 +122,7 @@ impl<'a> Sweep<'a> {
         targets_of_face.sort_unstable();
         let vertices = mesh.positions().len();
         let mut front = Front::default();
-        front.clear(3 * mesh.faces().len());
+        front.pending.resize_with(3 * mesh.faces().len(), Vec::new);
         Self {
             mesh,
             charts,
@@ -127,7 +142,7 @@ impl<'a> Sweep<'a> {
         }
         self.start(source);
         let mut since_bound = 0;
-        while let Some(next) = self.front.pop() {
+        while let Some(Reverse((key, id))) = self.front.queue.pop() {
             if let Until::Reached(vertices) = until {
                 since_bound += 1;
                 if since_bound == 16 {
@@ -135,9 +150,13 @@ impl<'a> Sweep<'a> {
                     self.bound = self.farthest(vertices);
                 }
             }
-            match next {
-                Next::Windows(h) => self.sweep(h),
-                Next::Vertex(v, distance) => self.bend_at(v, distance),
+            if f64::from_bits(key) > self.bound {
+                break;
+            }
+            if id & VERTEX == 0 {
+                self.sweep(HalfEdge(id));
+            } else {
+                self.bend_at(id & !VERTEX, f64::from_bits(key));
             }
         }
         if let Until::Reached(vertices) = until {
@@ -281,14 +300,16 @@ impl<'a> Sweep<'a> {
         self.approaches[v as usize] = approach;
         // A gain within rounding casts the same shadow again.
         if self.charts.bends[v as usize] && distance * CLEARLY < known && distance < self.bound {
-            self.front.push_vertex(v, distance);
+            self.front
+                .queue
+                .push(Reverse((distance.to_bits(), v | VERTEX)));
         }
     }
 
     /// A vertex where paths bend becomes a source for the directions in its shadow: those that
     /// make an angle of π or more with the arrival on either side.
     fn bend_at(&mut self, v: u32, distance: f64) {
-        if distance > self.distances[v as usize] * CLEARLY || distance > self.bound {
+        if distance > self.distances[v as usize] * CLEARLY {
             return; // reached nearer since it was queued
         }
         let approach = self.approaches[v as usize];
@@ -367,140 +388,138 @@ impl<'a> Sweep<'a> {
         self.emit(twin, [begin, end], length - x, y, sigma, v);
     }
 
-    /// A first window at a half-edge, seen from the far corner or the inside of the face below.
+    /// A first window at a half-edge.
     fn emit(&mut self, h: HalfEdge, b: [f64; 2], x: f64, depth: f64, sigma: f64, root: u32) {
-        let window = Window {
-            b0: b[0],
-            b1: b[1],
-            x,
-            depth,
-            sigma,
-            root,
-        };
         if b[1] > b[0] && depth > 0.0 {
-            let mut new = self.front.collect();
-            new.push(window);
-            self.front.arrive(h, Entry::Corner, new, window.nearest());
+            self.front.right.clear();
+            self.front.right.push(Window::new(b, x, depth, sigma, root));
+            self.arrive(h, Exit::Right);
         }
     }
 
-    /// Carries the windows that wait at a half-edge across its face.
+    /// Carries the pending windows of a half-edge across its face.
     fn sweep(&mut self, h: HalfEdge) {
-        let Some(windows) = self.front.take(h) else {
+        let mut windows = std::mem::take(&mut self.front.pending[h.0 as usize]);
+        if windows.is_empty() {
             return;
-        };
+        }
         let chart = *self.charts.chart(h);
         let corners = self.mesh.faces()[h.face() as usize];
-        let corner = |i: usize| corners[(h.corner() + i) % 3];
-        let wanted = self.wanted(&windows, &chart, corner(0), corner(1));
-        super::WINDOWS.fetch_add(wanted.len() as u64, std::sync::atomic::Ordering::Relaxed);
-        if !self.targets_of_face.is_empty() {
-            self.reach_targets(h, wanted);
-        }
-        let mut left = self.front.collect();
-        let mut right = self.front.collect();
-        let apex @ [cx, cy] = chart.apex();
-        let tolerance = WIDENING * chart.length;
-        let mut nearest = [f64::INFINITY; 2];
-        let mut best = f64::INFINITY;
-        let mut best_window = None;
-        for w in wanted {
-            // Sides of C on which the lines through the ends pass, times a positive number.
-            let to_c = (cx - w.x) * w.depth;
-            let rise = cy + w.depth;
-            let [begin, end] = [w.b0, w.b1].map(|b| (b - w.x) * rise - to_c);
-            let slack = tolerance * w.depth;
-            if begin <= slack && end >= -slack {
-                let dx = cx - w.x;
-                let distance = w.sigma + (dx * dx + rise * rise).sqrt();
-                if distance < best {
-                    best = distance;
-                    best_window = Some(*w);
-                }
+        let a = corners[h.corner()] as usize;
+        let b = corners[(h.corner() + 1) % 3] as usize;
+        let c = corners[(h.corner() + 2) % 3];
+        let targets = self.targets_in(h.face());
+        let apex = chart.apex();
+        let mut swept = std::mem::take(&mut self.front.swept);
+        swept.clear();
+        for w in windows.drain(..) {
+            let beaten_by_a = (self.distances[a] + w.b1) * CLEARLY < w.d1;
+            let beaten_by_b = (self.distances[b] + (chart.length - w.b0)) * CLEARLY < w.d0;
+            if beaten_by_a || beaten_by_b || w.nearest() > self.bound {
+                continue;
             }
-            if begin < 0.0 {
-                let clip = if end > 0.0 { Clip::AtCorner } else { Clip::Whole };
-                let child = w.through_left(&chart, clip);
-                if child.is_open() {
-                    trim::push(&mut left, child);
-                    if child.x > child.b0 && child.x < child.b1 {
-                        nearest[0] = nearest[0].min(child.sigma + child.depth);
-                    }
-                }
+            let to_c = w.crossing(apex);
+            if let Some(distance) = straight(&w, &chart, apex, to_c) {
+                self.reach(c, distance, approach(h, &w));
             }
-            if end > 0.0 {
-                let clip = if begin < 0.0 { Clip::AtCorner } else { Clip::Whole };
-                let child = w.through_right(&chart, clip);
-                if child.is_open() {
-                    trim::push(&mut right, child);
-                    if child.x > child.b0 && child.x < child.b1 {
-                        nearest[1] = nearest[1].min(child.sigma + child.depth);
-                    }
-                }
-            }
-        }
-        if let Some(w) = best_window {
-            self.reach(corner(2), best, approach(h, &w));
-        }
-        let _ = apex;
-        for (exit, entry, list, nearest) in [
-            (chart.left_exit, Entry::Left, left, nearest[0]),
-            (chart.right_exit, Entry::Right, right, nearest[1]),
-        ] {
-            match (list.first(), list.last()) {
-                (Some(first), Some(last)) if exit != BORDER => {
-                    let nearest = nearest
-                        .min(first.distance(first.b0))
-                        .min(last.distance(last.b1));
-                    self.front.arrive(HalfEdge(exit), entry, list, nearest);
-                }
-                _ => self.front.recycle(list),
-            }
-        }
-        self.front.recycle(windows);
-    }
-
-    /// The windows that no path along the edge beats.
-    ///
-    /// Along an edge A→B distance minus the way from A never grows, so that paths through A beat
-    /// the first windows and none after them; likewise for B and the last.
-    fn wanted<'w>(&self, windows: &'w [Window], chart: &Chart, a: u32, b: u32) -> &'w [Window] {
-        let [at_a, at_b] = [a, b].map(|v| self.distances[v as usize]);
-        let beaten_by_a = |w: &Window| (at_a + w.b1) * CLEARLY < w.distance(w.b1);
-        let beaten_by_b =
-            |w: &Window| (at_b + (chart.length - w.b0)) * CLEARLY < w.distance(w.b0);
-        let mut rest = windows;
-        while let Some((first, others)) = rest.split_first()
-            && (beaten_by_a(first) || first.nearest() > self.bound)
-        {
-            rest = others;
-        }
-        while let Some((last, others)) = rest.split_last()
-            && (beaten_by_b(last) || last.nearest() > self.bound)
-        {
-            rest = others;
-        }
-        rest
-    }
-
-    /// Offers all targets in the face above `h` the lines through these windows.
-    fn reach_targets(&mut self, h: HalfEdge, windows: &[Window]) {
-        let chart = self.charts.chart(h);
-        for i in self.targets_in(h.face()) {
-            let target = &mut self.targets[self.targets_of_face[i].1 as usize];
-            let Some(at) = self.charts.coordinates_above(self.mesh, h, &target.point) else {
-                continue; // on the edge itself: met in the face before
-            };
-            for w in windows {
-                if let Some(distance) = straight(w, chart, at, w.crossing(at))
+            for i in targets.clone() {
+                let target = &mut self.targets[self.targets_of_face[i].1 as usize];
+                let Some(at) = self.charts.coordinates_above(self.mesh, h, &target.point) else {
+                    continue; // on the edge itself: met in the face before
+                };
+                if let Some(distance) = straight(&w, &chart, at, w.crossing(at))
                     && distance < target.distance
                 {
                     target.distance = distance;
-                    target.approach = approach(h, w);
+                    target.approach = approach(h, &w);
                 }
+            }
+            swept.push((w, to_c));
+        }
+        self.front.pending[h.0 as usize] = windows;
+        let known = [a, b, c as usize].map(|v| self.distances[v]);
+        if chart.left_exit != BORDER {
+            self.cross_left(&swept, &chart, known);
+            self.arrive(HalfEdge(chart.left_exit), Exit::Left);
+        }
+        if chart.right_exit != BORDER {
+            self.cross_right(&swept, &chart, known);
+            self.arrive(HalfEdge(chart.right_exit), Exit::Right);
+        }
+        self.front.swept = swept;
+    }
+
+    /// Windows on the edge A→C of the face beyond.
+    fn cross_left(&mut self, swept: &[(Window, f64)], chart: &Chart, known: [f64; 3]) {
+        let list = &mut self.front.left;
+        list.clear();
+        let [at_a, _, at_c] = known;
+        for (w, to_c) in swept {
+            if *to_c <= w.b0 {
+                continue;
+            }
+            let end = (*to_c > w.b1).then_some(w.b1);
+            if let Some(child) = w.through_left(chart, w.b0, end)
+                && (at_a + child.b1) * CLEARLY >= child.d1
+                && (at_c + (chart.left_length - child.b0)) * CLEARLY >= child.d0
+                && child.nearest() <= self.bound
+            {
+                trim::push(list, child);
             }
         }
     }
+
+    /// Windows on the edge C→B of the face beyond.
+    fn cross_right(&mut self, swept: &[(Window, f64)], chart: &Chart, known: [f64; 3]) {
+        let list = &mut self.front.right;
+        list.clear();
+        let [_, at_b, at_c] = known;
+        for (w, to_c) in swept {
+            if *to_c >= w.b1 {
+                continue;
+            }
+            let begin = (*to_c < w.b0).then_some(w.b0);
+            if let Some(child) = w.through_right(chart, begin, w.b1)
+                && (at_c + child.b1) * CLEARLY >= child.d1
+                && (at_b + (chart.right_length - child.b0)) * CLEARLY >= child.d0
+                && child.nearest() <= self.bound
+            {
+                trim::push(list, child);
+            }
+        }
+    }
+
+    /// Adds a sorted list of new windows to what waits at a half-edge.
+    fn arrive(&mut self, h: HalfEdge, exit: Exit) {
+        let front = &mut self.front;
+        let new = match exit {
+            Exit::Left => &front.left,
+            Exit::Right => &front.right,
+        };
+        let nearest = new
+            .iter()
+            .map(Window::nearest)
+            .fold(f64::INFINITY, f64::min);
+        if nearest == f64::INFINITY {
+            return;
+        }
+        let pending = &mut front.pending[h.0 as usize];
+        if pending.is_empty() {
+            pending.extend_from_slice(new);
+        } else {
+            front.merged.clear();
+            trim::merge(pending, new, &mut front.merged);
+            pending.clear();
+            pending.extend_from_slice(&front.merged);
+        }
+        front.queue.push(Reverse((nearest.to_bits(), h.0)));
+    }
+}
+
+#[derive(Clone, Copy)]
+enum Exit {
+    Left,
+    Right,
 }
 
 fn approach(h: HalfEdge, w: &Window) -> Approach {

@@ -1,9 +1,9 @@
 //! Lists of windows without overlap: where two windows cover the same points, only the nearer
 //! one stays.
 //!
-//! Two rules. Windows that cross a face to the same edge in a known order obey the rule of
-//! crossing paths (`push`, `join`): if their straight lines cross inside the face, the one that
-//! is nearer at the crossing serves both (Qin, Han, Yu, Yu, Zhang, *Fast and exact discrete
+//! Two rules. Windows that cross a face from one edge to another in a known order obey the rule
+//! of crossing paths (`push`): if their straight lines cross inside the face, the one that is
+//! nearer at the crossing serves both (Qin, Han, Yu, Yu, Zhang, *Fast and exact discrete
 //! geodesic computation based on triangle-oriented wavefront propagation*, 2016). Lists that meet
 //! on an edge at different times are merged point by point (`merge`), which needs no order.
 //!
@@ -17,28 +17,7 @@ use super::window::Window;
 const TOUCHING: f64 = 1e-13;
 
 /// Appends the window that lies right of all others where it entered the face.
-#[inline(always)]
-pub(super) fn push(list: &mut Vec<Window>, new: Window) {
-    match list.last() {
-        Some(last) if new.b0 < last.b1 - TOUCHING * last.b1 => push_overlapping(list, new),
-        _ => list.push(new),
-    }
-}
-
-/// Appends all windows of a list that lie right of all of another where they entered the face.
-pub(super) fn join(left: &mut Vec<Window>, right: &[Window]) {
-    for (i, new) in right.iter().enumerate() {
-        match left.last() {
-            Some(last) if new.b0 < last.b1 - TOUCHING * last.b1 => push_overlapping(left, *new),
-            _ => {
-                left.extend_from_slice(&right[i..]);
-                return;
-            }
-        }
-    }
-}
-
-fn push_overlapping(list: &mut Vec<Window>, mut new: Window) {
+pub(super) fn push(list: &mut Vec<Window>, mut new: Window) {
     while let Some(last) = list.last_mut() {
         if new.b0 >= last.b1 - TOUCHING * last.b1 {
             break;
@@ -52,26 +31,26 @@ fn push_overlapping(list: &mut Vec<Window>, mut new: Window) {
             list.pop();
             continue;
         }
-        let (from, to) = (last.b0.max(new.b0), last.b1.min(new.b1));
-        match divide(last, &new, from, to) {
-            Division::Second => {
-                // Beyond `from` every path of the last window crosses the new one's.
-                if new.b0 <= last.b0 {
-                    list.pop();
-                    continue;
-                }
-                last.b1 = from;
+        let from = last.b0.max(new.b0);
+        if new.distance(from) <= last.distance(from) {
+            // Beyond `from` every path of the last window crosses the new one's.
+            if new.b0 <= last.b0 {
+                list.pop();
+                continue;
             }
-            Division::First => {
-                if new.b1 <= last.b1 {
-                    return;
-                }
-                new.b0 = to;
+            last.end_at(from);
+            break;
+        }
+        let to = last.b1.min(new.b1);
+        if last.distance(to) <= new.distance(to) {
+            if new.b1 <= last.b1 {
+                return;
             }
-            Division::FirstThenSecond(between) => {
-                last.b1 = between;
-                new.b0 = between;
-            }
+            new.begin_at(to);
+        } else {
+            let between = separation(last, &new, from, to);
+            last.end_at(between);
+            new.begin_at(between);
         }
         break;
     }
@@ -80,49 +59,16 @@ fn push_overlapping(list: &mut Vec<Window>, mut new: Window) {
     }
 }
 
-/// Which of two windows in left-to-right order serves an interval that both cover.
-enum Division {
-    First,
-    Second,
-    FirstThenSecond(f64),
-}
-
-/// By the rule of crossing paths the left window cannot win right of where it loses.
-#[inline]
-fn divide(left: &Window, right: &Window, from: f64, to: f64) -> Division {
-    if left.sigma == right.sigma {
-        // The squares differ by a linear function.
-        let slope = 2.0 * (right.x - left.x);
-        let sum = (right.x - left.x) * (right.x + left.x)
-            + (right.depth - left.depth) * (right.depth + left.depth);
-        // left² - right² = slope * b - sum
-        if slope * from >= sum {
-            Division::Second
-        } else if slope * to <= sum {
-            Division::First
-        } else {
-            Division::FirstThenSecond((sum / slope).clamp(from, to))
-        }
-    } else if right.distance(from) <= left.distance(from) {
-        Division::Second
-    } else if left.distance(to) <= right.distance(to) {
-        Division::First
-    } else {
-        Division::FirstThenSecond(separation(left, right, from, to))
-    }
-}
-
 /// Of two windows that have changed sides, whether `left` (where they came in) is the nearer one
 /// at the crossing of its path to its begin with the other's path to its end.
 fn nearer_at_crossing(left: &Window, right: &Window) -> bool {
     let lean = (right.x - right.b1) / right.depth - (left.x - left.b0) / left.depth;
     let below = ((left.b0 - right.b1) / lean).min(left.depth.min(right.depth));
-    let at_begin = left.distance(left.b0);
     if below.is_nan() || below < 0.0 {
-        return at_begin <= right.distance(left.b0);
+        return left.d0 <= right.distance(left.b0);
     }
     let at_crossing = |w: &Window, d: f64| d - (d - w.sigma) * (below / w.depth);
-    at_crossing(left, at_begin) <= at_crossing(right, right.distance(right.b1))
+    at_crossing(left, left.d0) <= at_crossing(right, right.d1)
 }
 
 /// Merges two sorted lists without overlap into one.
@@ -146,10 +92,10 @@ pub(super) fn merge(first: &[Window], second: &[Window], out: &mut Vec<Window>) 
         }
         if a.b0 < b.b0 {
             out.push_part(&a, a.b0, b.b0, Side::First);
-            a.b0 = b.b0;
+            a.begin_at(b.b0);
         } else if b.b0 < a.b0 {
             out.push_part(&b, b.b0, a.b0, Side::Second);
-            b.b0 = a.b0;
+            b.begin_at(a.b0);
         }
         let (from, to) = (a.b0, a.b1.min(b.b1));
         out.push_nearer(&a, &b, from, to);
@@ -171,7 +117,7 @@ fn rest(mut window: Window, to: f64) -> Option<Window> {
     if window.b1 - to <= TOUCHING * window.b1 {
         return None;
     }
-    window.b0 = to;
+    window.begin_at(to);
     Some(window)
 }
 
@@ -192,6 +138,7 @@ impl Pieces<'_> {
             let same = last.x == window.x && last.depth == window.depth && last.root == window.root;
             if same && last.b1 == window.b0 && last.sigma == window.sigma {
                 last.b1 = window.b1;
+                last.d1 = window.d1;
                 return;
             }
         }
@@ -202,11 +149,9 @@ impl Pieces<'_> {
     }
 
     fn push_part(&mut self, window: &Window, from: f64, to: f64, side: Side) {
-        let part = Window {
-            b0: from,
-            b1: to,
-            ..*window
-        };
+        let mut part = *window;
+        part.begin_at(from);
+        part.end_at(to);
         self.push(part, side);
     }
 

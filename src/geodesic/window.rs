@@ -7,8 +7,9 @@ use super::charts::Chart;
 pub(super) const SOURCE: u32 = u32::MAX;
 
 /// An interval of a half-edge A→B and where its straight lines come from, in the chart of that
-/// half-edge. The face above is the one they enter.
+/// half-edge. The face above is the one they enter. One cache line.
 #[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
 pub(super) struct Window {
     /// Begin of the interval from A, metres.
     pub(super) b0: f64,
@@ -20,11 +21,32 @@ pub(super) struct Window {
     pub(super) depth: f64,
     /// Distance of the root from the source, metres.
     pub(super) sigma: f64,
+    /// Distance of the begin from the source through this window, metres.
+    pub(super) d0: f64,
+    /// Distance of the end, metres.
+    pub(super) d1: f64,
     /// The vertex where the straight lines start, or `SOURCE`.
     pub(super) root: u32,
 }
 
 impl Window {
+    /// A window with the distances of its ends computed.
+    pub(super) fn new(b: [f64; 2], x: f64, depth: f64, sigma: f64, root: u32) -> Self {
+        let mut window = Self {
+            b0: b[0],
+            b1: b[1],
+            x,
+            depth,
+            sigma,
+            d0: 0.0,
+            d1: 0.0,
+            root,
+        };
+        window.d0 = window.distance(b[0]);
+        window.d1 = window.distance(b[1]);
+        window
+    }
+
     /// Distance of a point of the edge from the source through this window's root, metres.
     #[inline]
     pub(super) fn distance(&self, b: f64) -> f64 {
@@ -35,7 +57,25 @@ impl Window {
     /// Distance of the closest point of the interval, metres.
     #[inline]
     pub(super) fn nearest(&self) -> f64 {
-        self.distance(self.x.clamp(self.b0, self.b1))
+        if self.x > self.b0 && self.x < self.b1 {
+            self.sigma + self.depth
+        } else {
+            self.d0.min(self.d1)
+        }
+    }
+
+    /// Cuts the interval at a new begin.
+    #[inline]
+    pub(super) fn begin_at(&mut self, b: f64) {
+        self.b0 = b;
+        self.d0 = self.distance(b);
+    }
+
+    /// Cuts the interval at a new end.
+    #[inline]
+    pub(super) fn end_at(&mut self, b: f64) {
+        self.b1 = b;
+        self.d1 = self.distance(b);
     }
 
     /// Where the straight line to a point of the chart crosses the edge.
@@ -44,75 +84,59 @@ impl Window {
         self.x + (point[0] - self.x) * (self.depth / (point[1] + self.depth))
     }
 
-    /// The part of the window from `b0` to `b1`, or to the line through C, seen from the edge
-    /// A→C.
+    /// The part of the window from `begin` to `end`, or to the line through C, seen from the
+    /// edge A→C.
     ///
     /// With s = sin of the angle at A and δ the depth below A→C, the line through (b, 0) meets
     /// A→C at b·depth / (δ - b·s) from A.
-    #[inline(always)]
-    pub(super) fn through_left(&self, chart: &Chart, to_corner: Clip) -> Self {
+    #[inline]
+    pub(super) fn through_left(&self, chart: &Chart, begin: f64, end: Option<f64>) -> Option<Self> {
         let [ux, uy] = chart.left;
+        let x = self.x * ux - self.depth * uy;
         let depth = self.x * uy + self.depth * ux;
         let exit = |b: f64| meet(b, self.depth, depth, uy, chart.left_length);
-        Self {
-            b0: exit(self.b0),
-            b1: match to_corner {
-                Clip::AtCorner => chart.left_length,
-                Clip::Whole => exit(self.b1),
-            },
-            x: self.x * ux - self.depth * uy,
-            depth,
-            sigma: self.sigma,
-            root: self.root,
-        }
+        let end = end.map_or(chart.left_length, exit);
+        child([exit(begin), end], x, depth, self)
     }
 
-    /// The part of the window from `b0`, or from the line through C, to `b1`, seen from the edge
-    /// C→B: the mirror image of `through_left`.
-    #[inline(always)]
-    pub(super) fn through_right(&self, chart: &Chart, from_corner: Clip) -> Self {
+    /// The part of the window from `begin`, or from the line through C, to `end`, seen from the
+    /// edge C→B: the mirror image of `through_left`.
+    #[inline]
+    pub(super) fn through_right(
+        &self,
+        chart: &Chart,
+        begin: Option<f64>,
+        end: f64,
+    ) -> Option<Self> {
         let [ux, uy] = [chart.right[0], -chart.right[1]];
         let mirrored = chart.length - self.x;
+        let x = chart.right_length - (mirrored * ux - self.depth * uy);
         let depth = mirrored * uy + self.depth * ux;
         let exit = |b: f64| {
             let from_b = meet(chart.length - b, self.depth, depth, uy, chart.right_length);
             chart.right_length - from_b
         };
-        Self {
-            b0: match from_corner {
-                Clip::AtCorner => 0.0,
-                Clip::Whole => exit(self.b0),
-            },
-            b1: exit(self.b1),
-            x: chart.right_length - (mirrored * ux - self.depth * uy),
-            depth,
-            sigma: self.sigma,
-            root: self.root,
-        }
+        let begin = begin.map_or(0.0, exit);
+        child([begin, exit(end)], x, depth, self)
     }
-
-    /// Whether the window covers anything and sees the edge from its side.
-    #[inline(always)]
-    pub(super) fn is_open(&self) -> bool {
-        self.b1 > self.b0 && self.depth > GRAZING * (self.b1 + self.x.abs())
-    }
-}
-
-/// Which part of a window crosses to an edge.
-#[derive(Clone, Copy)]
-pub(super) enum Clip {
-    Whole,
-    AtCorner,
 }
 
 /// Where the line through (b, 0) meets the other edge at the corner, measured from the corner.
-#[inline(always)]
+#[inline]
 fn meet(b: f64, depth: f64, exit_depth: f64, sine: f64, length: f64) -> f64 {
     let rest = exit_depth - b * sine;
-    let at = b * depth / rest;
-    // A line that meets the edge beyond its end, or is parallel to it, does so by rounding.
-    if at >= 0.0 && at <= length { at } else { length }
+    if rest > 0.0 {
+        (b * depth / rest).min(length)
+    } else {
+        length
+    }
 }
 
 /// A root closer to the line of an edge than this share of the edge sees it as a point.
 const GRAZING: f64 = 1e-15;
+
+#[inline]
+fn child(b: [f64; 2], x: f64, depth: f64, parent: &Window) -> Option<Window> {
+    (b[1] > b[0] && depth > GRAZING * (b[1] + x.abs()))
+        .then(|| Window::new(b, x, depth, parent.sigma, parent.root))
+}

@@ -52,11 +52,18 @@ pub(in crate::build) const CLADDING: Stage<
     version: 1,
     numerics: Numerics::Portable,
     run: |input, (sides, u, v), _| {
-        let maps = Maps { sides: *sides, u, v };
-        let demands = Demands { slope: input.slope, members: input.members, width: input.width };
-        let refused = |choice: &AngleChoice, why, given| {
-            Err(Failure::from(explain(choice, &why, given)))
+        let maps = Maps {
+            sides: *sides,
+            u,
+            v,
         };
+        let demands = Demands {
+            slope: input.slope,
+            members: input.members,
+            width: input.width,
+        };
+        let refused =
+            |choice: &AngleChoice, why, given| Err(Failure::from(explain(choice, &why, given)));
         match input.alpha {
             None => {
                 let choice = choose_angle(&maps, &demands);
@@ -69,7 +76,11 @@ pub(in crate::build) const CLADDING: Stage<
                 Ok(clad) => plain(clad),
                 Err(obstacle) => {
                     let choice = choose_angle(&maps, &demands);
-                    refused(&choice, crate::cladding::Infeasible { alpha, obstacle }, true)
+                    refused(
+                        &choice,
+                        crate::cladding::Infeasible { alpha, obstacle },
+                        true,
+                    )
                 }
             },
         }
@@ -114,8 +125,11 @@ pub(in crate::build) const JUDGEMENT: Stage<
 /// A geodesic failed inside a patch whose sides were found: the mesh is at fault.
 pub(super) fn no_geodesic(error: &GeodesicError) -> Failure {
     let code: Code = crate::diagnostics::codes::layout::NO_PATH;
-    Diagnostic::error(code, format!("a geodesic of the patch cannot be found: {error}"))
-        .at_key("", "in this patch")
-        .help("check the mesh for faces without area")
-        .into()
+    Diagnostic::error(
+        code,
+        format!("a geodesic of the patch cannot be found: {error}"),
+    )
+    .at_key("", "in this patch")
+    .help("check the mesh for faces without area")
+    .into()
 }

@@ -3,8 +3,8 @@
 use super::{judged, outcome, plain};
 use crate::build::{Failure, Files, Node, Numerics, Stage};
 use crate::diagnostics::{Diagnostic, Warned};
-use crate::fabrication::nesting::{Blank, Nest, Settings, nest};
 use crate::fabrication::bom::{self, Shopping};
+use crate::fabrication::nesting::{Blank, Nest, Settings, nest};
 use crate::fabrication::{self as outputs, Inputs, OutputFile};
 use crate::plan::{BomRow, Plan, bind, to_ron};
 use crate::project::model::{Fabrication, Grain, Hardware, Material, Stock};
@@ -129,30 +129,29 @@ pub(in crate::build) const ABOVE_FILES: Stage<String, (Node<Plan>, Vec<Node<Plan
     };
 
 /// Cut files and overviews of all sheets.
-pub(in crate::build) const SHEET_FILES: Stage<
-    DrawingInput,
-    (Vec<Node<Plan>>, Node<Nest>),
-    Files,
-> = Stage {
-    name: "sheet-files",
-    version: 1,
-    numerics: Numerics::Portable,
-    run: |input, (chapters, nest), _| {
-        let mut plan = bind(&input.name, chapters.into_iter());
-        plan.sheets.clone_from(&nest.sheets);
-        let Warned { value: parts, warnings } =
-            outputs::parts(&plan, input.inputs()).map_err(Failure::Errors)?;
-        let by_id = parts.iter().map(|part| (part.id.as_str(), part)).collect();
-        let mut made = Files::new();
-        for sheet in &plan.sheets {
-            let drawn = outputs::sheet_files(&plan, sheet, &by_id, input.inputs())?;
-            for OutputFile { path, bytes } in drawn {
-                made.push(path, bytes);
+pub(in crate::build) const SHEET_FILES: Stage<DrawingInput, (Vec<Node<Plan>>, Node<Nest>), Files> =
+    Stage {
+        name: "sheet-files",
+        version: 1,
+        numerics: Numerics::Portable,
+        run: |input, (chapters, nest), _| {
+            let mut plan = bind(&input.name, chapters.into_iter());
+            plan.sheets.clone_from(&nest.sheets);
+            let Warned {
+                value: parts,
+                warnings,
+            } = outputs::parts(&plan, input.inputs()).map_err(Failure::Errors)?;
+            let by_id = parts.iter().map(|part| (part.id.as_str(), part)).collect();
+            let mut made = Files::new();
+            for sheet in &plan.sheets {
+                let drawn = outputs::sheet_files(&plan, sheet, &by_id, input.inputs())?;
+                for OutputFile { path, bytes } in drawn {
+                    made.push(path, bytes);
+                }
             }
-        }
-        judged(made, warnings)
-    },
-};
+            judged(made, warnings)
+        },
+    };
 
 /// The tables.
 pub(in crate::build) const TABLE_FILES: Stage<

@@ -24,7 +24,9 @@ pub(in crate::build) const ANCHORS: Stage<Vec<(String, Anchor)>, Node<SurfaceMes
             let Warned { value, warnings } =
                 place_anchors(surface, anchors).map_err(Failure::Errors)?;
             let named = anchors.iter().zip(value);
-            let value = named.filter_map(|((name, _), at)| Some((name.clone(), at?))).collect();
+            let value = named
+                .filter_map(|((name, _), at)| Some((name.clone(), at?)))
+                .collect();
             Ok(Warned { value, warnings })
         },
     };
@@ -60,13 +62,18 @@ pub(in crate::build) const LINE: Stage<
 
 fn no_line(error: &GeodesicError) -> Diagnostic {
     let (code, help) = match error {
-        GeodesicError::Coincident { .. } => {
-            (codes::SAME_PLACE, "move one of the two anchors of this side")
-        }
-        GeodesicError::Unreachable { .. } => {
-            (codes::NO_PATH, "put both anchors on the same part of the surface")
-        }
-        _ => (codes::NO_PATH, "check the mesh for faces without area between the anchors"),
+        GeodesicError::Coincident { .. } => (
+            codes::SAME_PLACE,
+            "move one of the two anchors of this side",
+        ),
+        GeodesicError::Unreachable { .. } => (
+            codes::NO_PATH,
+            "put both anchors on the same part of the surface",
+        ),
+        _ => (
+            codes::NO_PATH,
+            "check the mesh for faces without area between the anchors",
+        ),
     };
     Diagnostic::error(code, format!("no geodesic joins the two anchors: {error}"))
         .at_key("", "this side")
@@ -98,7 +105,8 @@ pub(in crate::build) const PATCH: Stage<PatchInput, (Node<SurfaceMesh>, Lines), 
     numerics: Numerics::Portable,
     run: |input, (surface, (first, second, third, fourth)), _| {
         let mesh = &surface.mesh;
-        let piece = |line: &Side, i: usize| line.piece(mesh, input.corners[i][0], input.corners[i][1]);
+        let piece =
+            |line: &Side, i: usize| line.piece(mesh, input.corners[i][0], input.corners[i][1]);
         let domain = Domain {
             ab: piece(first, 0),
             bc: piece(second, 1),

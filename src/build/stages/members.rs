@@ -11,8 +11,8 @@ use crate::grid::{
     lamella,
 };
 use crate::layout::Domain;
-use crate::members::{MakeError, Member, RefineError, crossing_label, make_members, member_label};
 use crate::members::distribution::{Crossed, Step, distribute};
+use crate::members::{MakeError, Member, RefineError, crossing_label, make_members, member_label};
 use crate::project::model::Family;
 use serde::Serialize;
 
@@ -31,7 +31,10 @@ pub(in crate::build) const DISTRIBUTION: Stage<DistributionInput, Node<Clad>, Ve
     numerics: Numerics::Portable,
     run: |input, clad, _| {
         let sides = [
-            Crossed { weight: input.weights[0], steps: Vec::new() },
+            Crossed {
+                weight: input.weights[0],
+                steps: Vec::new(),
+            },
             Crossed {
                 weight: input.weights[1],
                 steps: vec![Step::Forward(clad.function(input.family))],
@@ -60,7 +63,11 @@ fn no_member(family: Family, error: &MakeError) -> Failure {
     let label = member_label(family, error.index);
     match &error.why {
         RefineError::Geodesic(error) => no_geodesic(error),
-        RefineError::NoEqualLength { given, closest, difference } => Diagnostic::error(
+        RefineError::NoEqualLength {
+            given,
+            closest,
+            difference,
+        } => Diagnostic::error(
             codes::NO_MEMBER,
             format!(
                 "member `{label}` has no end point of equal length: from {:.1} % of its side, the \
@@ -125,8 +132,11 @@ pub(in crate::build) const LAMELLAE: Stage<
     version: 1,
     numerics: Numerics::Portable,
     run: |section, (u, v, crossings), _| {
-        let lamellae: Vec<Lamella> =
-            u.iter().chain(v).map(|member| lamella(member, crossings, section)).collect();
+        let lamellae: Vec<Lamella> = u
+            .iter()
+            .chain(v)
+            .map(|member| lamella(member, crossings, section))
+            .collect();
         let mut found = check_lamellae(&lamellae, section);
         found.extend(check_flat_state(u, section));
         found.extend(check_flat_state(v, section));

@@ -25,11 +25,17 @@ fn judged<T>(value: T, found: Vec<Diagnostic>) -> Result<Warned<T>, Failure> {
     if found.iter().any(|d| d.severity == Severity::Error) {
         Err(Failure::Errors(found))
     } else {
-        Ok(Warned { value, warnings: found })
+        Ok(Warned {
+            value,
+            warnings: found,
+        })
     }
 }
 
 /// A value about which there is nothing to say.
 fn plain<T>(value: T) -> Result<Warned<T>, Failure> {
-    Ok(Warned { value, warnings: Vec::new() })
+    Ok(Warned {
+        value,
+        warnings: Vec::new(),
+    })
 }

@@ -3,6 +3,7 @@
 use super::plain;
 use crate::build::{Node, Numerics, Stage, Warnings};
 use crate::cladding::Clad;
+use crate::fabrication::nesting::Nest;
 use crate::grid::{Crossing, Lamella, Section};
 use crate::layout::{Domain, Side};
 use crate::members::Member;
@@ -10,7 +11,6 @@ use crate::plan::{
     BomRow, DiagnosticRecord, EdgePiece, PatchNames, PatchResults, Plan, bind, patch_chapter,
     skeleton_chapter,
 };
-use crate::fabrication::nesting::Nest;
 use crate::splitting::Feasibility;
 use crate::surface::{Curvature, SurfaceMesh, SurfacePoint};
 use serde::Serialize;
@@ -32,8 +32,12 @@ pub(in crate::build) struct EdgeInput {
     pub(in crate::build) shares: [f64; 2],
 }
 
-type SkeletonNeeds =
-    (Node<SurfaceMesh>, Node<Curvature>, Vec<Node<SurfacePoint>>, Vec<Node<Side>>);
+type SkeletonNeeds = (
+    Node<SurfaceMesh>,
+    Node<Curvature>,
+    Vec<Node<SurfacePoint>>,
+    Vec<Node<Side>>,
+);
 
 /// Surface, points and edges.
 pub(in crate::build) const SKELETON: Stage<SkeletonInput, SkeletonNeeds, Plan> = Stage {
@@ -41,7 +45,11 @@ pub(in crate::build) const SKELETON: Stage<SkeletonInput, SkeletonNeeds, Plan> =
     version: 1,
     numerics: Numerics::Portable,
     run: |input, (surface, curvature, points, lines), _| {
-        let points = input.points.iter().map(String::as_str).zip(points.into_iter().copied());
+        let points = input
+            .points
+            .iter()
+            .map(String::as_str)
+            .zip(points.into_iter().copied());
         let edges = input.edges.iter().filter_map(|edge| {
             Some(EdgePiece {
                 from: &edge.from,
@@ -108,7 +116,13 @@ pub(in crate::build) struct PlanInput {
     pub(in crate::build) subjects: Vec<String>,
 }
 
-type PlanNeeds = (Node<Plan>, Vec<Node<Plan>>, Node<Nest>, Node<Vec<BomRow>>, Vec<Warnings>);
+type PlanNeeds = (
+    Node<Plan>,
+    Vec<Node<Plan>>,
+    Node<Nest>,
+    Node<Vec<BomRow>>,
+    Vec<Warnings>,
+);
 
 /// The plan.
 pub(in crate::build) const PLAN: Stage<PlanInput, PlanNeeds, Plan> = Stage {

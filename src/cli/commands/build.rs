@@ -31,7 +31,11 @@ pub(in crate::cli) fn request(selection: &Selection, force: bool) -> Request {
     Request {
         targets: selection.only.clone(),
         stages: selection.stage.clone(),
-        foreign: if force { Foreign::Replace } else { Foreign::Keep },
+        foreign: if force {
+            Foreign::Replace
+        } else {
+            Foreign::Keep
+        },
         ..Request::default()
     }
 }
@@ -39,7 +43,12 @@ pub(in crate::cli) fn request(selection: &Selection, force: bool) -> Request {
 fn finished(console: Console, job: &Job, built: &Built, begin: Instant) {
     let (ran, cached) = (built.count(How::Ran), built.count(How::Cached));
     let failed = built.count(How::Failed) + built.count(How::FailedCached);
-    let name = job.opened.loaded.project.as_ref().map_or("", |p| p.name.as_str());
+    let name = job
+        .opened
+        .loaded
+        .project
+        .as_ref()
+        .map_or("", |p| p.name.as_str());
     let publication = &built.publication;
     console.record(&Finished {
         reason: "build-finished",
@@ -69,7 +78,10 @@ fn finished(console: Console, job: &Job, built: &Built, begin: Instant) {
         );
     } else {
         let skipped = built.count(How::Skipped);
-        console.status("Failed", &format!("{name}: {failed} stages failed, {skipped} skipped{files}"));
+        console.status(
+            "Failed",
+            &format!("{name}: {failed} stages failed, {skipped} skipped{files}"),
+        );
     }
 }
 
@@ -134,9 +146,18 @@ fn describe(plan: &Plan) -> String {
     }
     let causes = plan.root_causes();
     for cause in causes.iter().take(5) {
-        let whom: Vec<String> = cause.instances.iter().take(4).map(ToString::to_string).collect();
+        let whom: Vec<String> = cause
+            .instances
+            .iter()
+            .take(4)
+            .map(ToString::to_string)
+            .collect();
         let more = cause.instances.len().saturating_sub(4);
-        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let more = if more > 0 {
+            format!(" and {more} more")
+        } else {
+            String::new()
+        };
         let _ = writeln!(text, "{}: {}{more}", cause.reason, whom.join(", "));
     }
     if causes.len() > 5 {
@@ -149,7 +170,12 @@ fn describe(plan: &Plan) -> String {
             }
             State::Maybe { after } => {
                 let after: Vec<String> = after.iter().map(ToString::to_string).collect();
-                let _ = writeln!(text, "   maybe {} (if {} changes)", stage.instance, after.join(" or "));
+                let _ = writeln!(
+                    text,
+                    "   maybe {} (if {} changes)",
+                    stage.instance,
+                    after.join(" or ")
+                );
             }
             State::Failed => {
                 let _ = writeln!(text, "  failed {}", stage.instance);
@@ -157,6 +183,9 @@ fn describe(plan: &Plan) -> String {
             State::Skipped | State::Cached => {}
         }
     }
-    let _ = writeln!(text, "{running} stages to run, {maybe} perhaps, {cached} cached");
+    let _ = writeln!(
+        text,
+        "{running} stages to run, {maybe} perhaps, {cached} cached"
+    );
     text
 }

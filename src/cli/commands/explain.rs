@@ -12,6 +12,9 @@ pub(in crate::cli) fn run(console: Console, code: &str) -> Exit {
         );
         return Exit::Usage;
     };
-    out(&format!("{} {}: {}\n\n{}\n", info.code, info.name, info.title, info.text));
+    out(&format!(
+        "{} {}: {}\n\n{}\n",
+        info.code, info.name, info.title, info.text
+    ));
     Exit::Done
 }

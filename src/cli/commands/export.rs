@@ -1,7 +1,7 @@
 //! `egg export`: the plan on standard output.
 
-use crate::build::graph::{Extent, plan_of};
 use crate::build::Request;
+use crate::build::graph::{Extent, plan_of};
 use crate::cli::args::{Global, PlanFormat};
 use crate::cli::console::{Console, out};
 use crate::cli::design::Opened;
@@ -20,7 +20,9 @@ pub(in crate::cli) fn run(
     let opened = Opened::open(&console, file)?;
     let mut job = Job::prepare(console, global, opened)?;
     let built = job.build(&Request::default(), Extent::Plan)?;
-    let Some(plan) = plan_of(&built) else { return Ok(Exit::Errors) };
+    let Some(plan) = plan_of(&built) else {
+        return Ok(Exit::Errors);
+    };
     out(&match format {
         PlanFormat::Json => to_json(&plan),
         PlanFormat::Ron => to_ron(&plan),

@@ -16,7 +16,11 @@ const HEIGHT: f64 = 90.0;
 
 pub(in crate::cli) fn run(console: Console, name: &str) -> Exit {
     let folder = Path::new(name);
-    let Some(stem) = folder.file_name().and_then(|n| n.to_str()).filter(|n| usable(n)) else {
+    let Some(stem) = folder
+        .file_name()
+        .and_then(|n| n.to_str())
+        .filter(|n| usable(n))
+    else {
         console.complain(
             &format!("`{name}` is no name for a project"),
             Some("use letters, digits, `-` and `_`"),
@@ -25,7 +29,10 @@ pub(in crate::cli) fn run(console: Console, name: &str) -> Exit {
     };
     match write(folder, stem) {
         Ok(()) => {
-            console.status("Created", &format!("project `{stem}` in {}", folder.display()));
+            console.status(
+                "Created",
+                &format!("project `{stem}` in {}", folder.display()),
+            );
             Exit::Done
         }
         Err(error) => {
@@ -36,7 +43,10 @@ pub(in crate::cli) fn run(console: Console, name: &str) -> Exit {
 }
 
 fn usable(name: &str) -> bool {
-    !name.is_empty() && name.chars().all(|c| c.is_alphanumeric() || c == '-' || c == '_')
+    !name.is_empty()
+        && name
+            .chars()
+            .all(|c| c.is_alphanumeric() || c == '-' || c == '_')
 }
 
 /// Writes into a new folder only: nothing of the user's is touched.
