@@ -1,6 +1,16 @@
 //! The design surface: a triangle mesh with adjacency, and points on it.
 //!
 //! Lengths in metres, z up, faces counter-clockwise seen from outside (above).
+//!
+//! | to | use |
+//! |---|---|
+//! | read a mesh file | [`read_obj`] |
+//! | walk over it | [`Mesh`], [`HalfEdge`] |
+//! | name a place on it | [`SurfacePoint`], [`Tangent`] |
+//! | find a place | [`Locator`], [`SurfaceMesh::vertex`] |
+//! | ask how it bends | [`Curvature`], [`curvature::peaks`] |
+//! | work on a part of it | [`grow`], [`SubMesh`], [`Clearance`] |
+//! | make and write one | [`generate`], [`write_obj`] |
 
 mod adjacency;
 pub mod curvature;

@@ -149,9 +149,13 @@ impl SubMesh {
 /// Vertices and mesh of faces whose fans are closed, both ascending.
 fn extract(parent: &Mesh, faces: &[u32]) -> (Vec<u32>, Mesh) {
     let corners = |face: &u32| parent.faces()[*face as usize];
-    let mut vertices: Vec<u32> = faces.iter().flat_map(corners).collect();
-    vertices.sort_unstable();
-    vertices.dedup();
+    let mut used = vec![false; parent.positions().len()];
+    for v in faces.iter().flat_map(corners) {
+        used[v as usize] = true;
+    }
+    let vertices: Vec<u32> = (0..parent.vertex_count())
+        .filter(|&v| used[v as usize])
+        .collect();
     let mut own = vec![0; parent.positions().len()];
     for (new, &v) in (0..).zip(&vertices) {
         own[v as usize] = new;

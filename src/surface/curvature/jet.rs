@@ -6,7 +6,7 @@
 
 use super::VertexCurvature;
 use crate::surface::Vector3;
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{Cholesky, Const, SMatrix, SVector};
 
 /// Sensitivity up to which a fit is used without looking wider: a height error of e changes slopes
 /// by at most this times e/h and second derivatives by this times e/h². Two full rings of an even
@@ -37,17 +37,22 @@ pub(super) struct Jet {
 }
 
 impl Jet {
-    /// A cubic through offsets from a vertex, itself first.
+    /// A cubic through offsets from a vertex, itself first, if it is well determined.
     pub(super) fn cubic(points: &[Vector3], edge: f64, normal: Vector3) -> Option<Self> {
-        Self::level(points, edge, normal, |x, y| {
+        Self::level(points, edge, normal, WELL_DETERMINED, |x, y| {
             let (xx, xy, yy) = (x * x, x * y, y * y);
             SVector::from([1.0, x, y, xx, xy, yy, xx * x, xx * y, x * yy, y * yy])
         })
     }
 
-    /// A quadratic, for small meshes.
-    pub(super) fn quadratic(points: &[Vector3], edge: f64, normal: Vector3) -> Option<Self> {
-        Self::level(points, edge, normal, |x, y| {
+    /// A quadratic, if it is determined better than this jet.
+    pub(super) fn better_quadratic(
+        &self,
+        points: &[Vector3],
+        edge: f64,
+        normal: Vector3,
+    ) -> Option<Self> {
+        Self::level(points, edge, normal, self.sensitivity, |x, y| {
             SVector::from([1.0, x, y, x * x, x * y, y * y])
         })
     }
@@ -67,23 +72,34 @@ impl Jet {
         self.sensitivity <= WELL_DETERMINED
     }
 
-    /// Fits in the tangent plane of the fit. `powers` begins with 1, x, y, x², xy, y².
+    /// Fits in the tangent plane of the fit, if that is less sensitive than `most`. `powers` begins
+    /// with 1, x, y, x², xy, y².
     fn level<const N: usize>(
         points: &[Vector3],
         edge: f64,
         normal: Vector3,
+        most: f64,
         powers: impl Fn(f64, f64) -> SVector<f64, N>,
     ) -> Option<Self> {
-        let mut jet = fit(points, edge, normal, &powers)?;
+        let mut fit = Fit::new(points, normal, &powers)?;
+        let sensitivity = fit.sensitivity(edge);
+        if sensitivity > most {
+            return None;
+        }
         for _ in 1..ROUNDS {
-            let [p, q] = jet.slope;
+            let [p, q] = fit.slope();
             if p.abs().max(q.abs()) < LEVEL {
                 break;
             }
-            let [x, y, z] = jet.frame;
-            jet = fit(points, edge, (z - x * p - y * q).normalize(), &powers)?;
+            let [x, y, z] = fit.frame;
+            fit = Fit::new(points, (z - x * p - y * q).normalize(), &powers)?;
         }
-        Some(jet)
+        Some(Self {
+            frame: fit.frame,
+            slope: fit.slope(),
+            second: fit.second(),
+            sensitivity,
+        })
     }
 
     /// Principal curvatures and directions of the graph z(x, y) at the vertex.
@@ -139,58 +155,82 @@ fn frame(normal: Vector3) -> [Vector3; 3] {
 }
 
 /// Least squares by normal equations with columns of unit length; coordinates are in units of the
-/// neighbourhood's radius. `None` if the points do not determine all coefficients.
-fn fit<const N: usize>(
-    points: &[Vector3],
-    edge: f64,
-    normal: Vector3,
-    powers: &impl Fn(f64, f64) -> SVector<f64, N>,
-) -> Option<Jet> {
-    if points.len() < N {
-        return None;
-    }
-    let frame = frame(normal);
-    let [x, y, z] = frame;
-    let radius = points.iter().fold(0.0, |r: f64, p| r.max(p.norm()));
-    let mut matrix = SMatrix::<f64, N, N>::zeros();
-    let mut right = SVector::<f64, N>::zeros();
-    for p in points {
-        let row = powers(p.dot(&x) / radius, p.dot(&y) / radius);
+/// neighbourhood's radius.
+struct Fit<const N: usize> {
+    frame: [Vector3; 3],
+    radius: f64,
+    /// One over the length of each column.
+    scale: SVector<f64, N>,
+    cholesky: Cholesky<f64, Const<N>>,
+    coefficients: SVector<f64, N>,
+}
+
+impl<const N: usize> Fit<N> {
+    /// `None` if the points do not determine all coefficients.
+    fn new(
+        points: &[Vector3],
+        normal: Vector3,
+        powers: &impl Fn(f64, f64) -> SVector<f64, N>,
+    ) -> Option<Self> {
+        if points.len() < N {
+            return None;
+        }
+        let frame = frame(normal);
+        let [x, y, z] = frame;
+        let radius = points.iter().fold(0.0, |r: f64, p| r.max(p.norm()));
+        let mut matrix = SMatrix::<f64, N, N>::zeros();
+        let mut right = SVector::<f64, N>::zeros();
+        for p in points {
+            let row = powers(p.dot(&x) / radius, p.dot(&y) / radius);
+            for j in 0..N {
+                for i in j..N {
+                    matrix[(i, j)] += row[i] * row[j];
+                }
+            }
+            right += row * (p.dot(&z) / radius);
+        }
+        let scale = matrix.diagonal().map(|d| 1.0 / d.sqrt());
         for j in 0..N {
             for i in j..N {
-                matrix[(i, j)] += row[i] * row[j];
+                matrix[(i, j)] *= scale[i] * scale[j];
             }
         }
-        right += row * (p.dot(&z) / radius);
-    }
-    let scale = matrix.diagonal().map(|d| 1.0 / d.sqrt());
-    for j in 0..N {
-        for i in j..N {
-            matrix[(i, j)] *= scale[i] * scale[j];
+        let cholesky = Cholesky::new(matrix)?;
+        // A squared pivot is the share of a column that the columns before it do not explain.
+        if cholesky.l_dirty().diagonal().min() <= DEPENDENT {
+            return None;
         }
+        let coefficients = cholesky
+            .solve(&right.component_mul(&scale))
+            .component_mul(&scale);
+        Some(Self {
+            frame,
+            radius,
+            scale,
+            cholesky,
+            coefficients,
+        })
     }
-    let cholesky = nalgebra::Cholesky::new(matrix)?;
-    // A squared pivot is the share of a column that the columns before it do not explain.
-    if cholesky.l_dirty().diagonal().min() <= DEPENDENT {
-        return None;
+
+    /// First derivatives.
+    fn slope(&self) -> [f64; 2] {
+        [self.coefficients[1], self.coefficients[2]]
     }
-    let solution = cholesky
-        .solve(&right.component_mul(&scale))
-        .component_mul(&scale);
-    let inverse = cholesky.inverse();
-    // Standard deviations of the derivatives for a height error of one edge length.
-    let share = edge / radius;
-    let deviation = |i: usize, factor: f64| factor * scale[i] * inverse[(i, i)].sqrt();
-    let slope = deviation(1, share).max(deviation(2, share));
-    let second = deviation(3, 2.0)
-        .max(deviation(4, 1.0))
-        .max(deviation(5, 2.0))
-        * share
-        * share;
-    Some(Jet {
-        frame,
-        slope: [solution[1], solution[2]],
-        second: [2.0 * solution[3], solution[4], 2.0 * solution[5]].map(|d| d / radius),
-        sensitivity: slope.max(second),
-    })
+
+    /// Second derivatives by xx, xy and yy, 1/m.
+    fn second(&self) -> [f64; 3] {
+        let c = &self.coefficients;
+        [2.0 * c[3], c[4], 2.0 * c[5]].map(|d| d / self.radius)
+    }
+
+    /// Greatest standard deviation of the derivatives for a height error of one edge length, see
+    /// [`WELL_DETERMINED`].
+    fn sensitivity(&self, edge: f64) -> f64 {
+        let inverse = self.cholesky.inverse();
+        let share = edge / self.radius;
+        let deviation = |i: usize| self.scale[i] * inverse[(i, i)].sqrt();
+        let slope = deviation(1).max(deviation(2));
+        let second = deviation(4).max(2.0 * deviation(3).max(deviation(5)));
+        f64::max(slope * share, second * share * share)
+    }
 }

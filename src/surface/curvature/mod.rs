@@ -133,12 +133,11 @@ fn estimate_at(neighbourhood: &mut Neighbourhood<'_>, vertex: u32) -> VertexCurv
     let edge = neighbourhood.edge_length(vertex);
     let mut fallback = Jet::flat(normal);
     for points in neighbourhood.widening(vertex) {
-        if let Some(jet) = Jet::cubic(&points, edge, normal).filter(Jet::is_well_determined) {
+        if let Some(jet) = Jet::cubic(&points, edge, normal) {
             return jet.curvature();
         }
         if !fallback.is_well_determined()
-            && let Some(jet) = Jet::quadratic(&points, edge, normal)
-            && jet.sensitivity < fallback.sensitivity
+            && let Some(jet) = fallback.better_quadratic(&points, edge, normal)
         {
             fallback = jet;
         }

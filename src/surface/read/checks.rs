@@ -3,7 +3,7 @@
 
 use super::findings::Findings;
 use super::flat_faces::flatness;
-use super::scan::at_lines;
+use super::ignored::at_lines;
 use super::soup::{Origin, Soup};
 use crate::diagnostics::{Diagnostic, File, codes::surface as codes};
 use crate::surface::{Mesh, Point3};

@@ -4,12 +4,12 @@
 //! | step | file | what it does |
 //! |---|---|---|
 //! | is it OBJ text? | `format` | byte order mark; binary, UTF-16 and other formats named |
-//! | scan | `scan`, `lines` | every line judged with its number; clean `v` and `f` records |
+//! | scan | `scan`, `lines`, `ignored` | every line judged with its number; clean `v` and `f` records |
 //! | parse | `soup` | tobj reads the clean records |
 //! | place | `soup` | metres, z up |
 //! | weld | `soup` | one vertex for equal positions; seams of texture or groups close |
 //! | cut | `polygon` | polygons into triangles |
-//! | topology | `topology` | duplicates out, edges checked, crumbs out, one orientation |
+//! | topology | `topology`, `parts` | duplicates out, edges checked, crumbs out, one orientation |
 //! | flat faces | `flat_faces` | faces without area out, without a slit |
 //! | side | here | normals up (or outward on closed surfaces) |
 //! | checks | `checks` | seams, size, border, slivers |
@@ -21,7 +21,9 @@ mod checks;
 mod findings;
 mod flat_faces;
 mod format;
+mod ignored;
 mod lines;
+mod parts;
 mod polygon;
 mod scan;
 mod soup;
@@ -174,7 +176,7 @@ fn read(bytes: &[u8], options: &ReadOptions, findings: &mut Findings) -> Option<
     if findings.failed() {
         return None;
     }
-    topology::orient(&mut soup, &across, &origin, findings);
+    parts::orient(&mut soup, &across, &origin, findings);
     if findings.failed() {
         return None;
     }

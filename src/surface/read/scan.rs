@@ -8,6 +8,7 @@
 
 use super::findings::Findings;
 use super::format::too_large;
+use super::ignored::{Ignored, no_faces};
 use super::lines::{Line, Lines, Span, Word};
 use super::{MAX_CORNERS, MAX_VERTICES};
 use crate::diagnostics::{Code, Diagnostic, File, codes::surface as codes};
@@ -306,94 +307,4 @@ impl BadReference {
         };
         Diagnostic::error(self.code(), message).at_bytes(File::Mesh, word.range(), label)
     }
-}
-
-/// Lines that are passed over with a warning, by reason.
-#[derive(Default)]
-struct Ignored {
-    unknown: Tally,
-    free_form: Tally,
-    weights: Tally,
-    columns: Tally,
-}
-
-#[derive(Default)]
-struct Tally {
-    count: usize,
-    first: Option<(Span, String)>,
-}
-
-impl Tally {
-    fn count(&mut self, line: Line<'_>) {
-        self.count += 1;
-        if self.first.is_none() {
-            let keyword = line.words().next().map_or(String::new(), Word::shown);
-            self.first = Some((line.span(), keyword));
-        }
-    }
-
-    fn tell(&self, findings: &mut Findings, what: &str, label: impl Fn(&str) -> String) {
-        let Some((span, keyword)) = &self.first else {
-            return;
-        };
-        findings.add(&codes::IGNORED_LINES, || {
-            let message = format!("{what} are ignored ({})", at_lines(self.count, *span));
-            Diagnostic::warning(codes::IGNORED_LINES, message).at_bytes(
-                File::Mesh,
-                span.bytes(),
-                label(keyword),
-            )
-        });
-    }
-}
-
-/// `line 7`, or `3 lines, first: line 7`.
-pub(super) fn at_lines(count: usize, first: Span) -> String {
-    match count {
-        1 => format!("line {}", first.line),
-        _ => format!("{count} lines, first: line {}", first.line),
-    }
-}
-
-impl Ignored {
-    fn tell(&self, findings: &mut Findings) {
-        self.unknown.tell(findings, "unknown records", |keyword| {
-            format!("`{keyword}` is no OBJ record")
-        });
-        self.free_form
-            .tell(findings, "free-form curves and surfaces", |_| {
-                "only polygons are read".into()
-            });
-        self.weights.tell(findings, "weights of vertices", |_| {
-            "the weight is not applied".into()
-        });
-        self.columns
-            .tell(findings, "surplus columns of vertices", |_| {
-                "only x, y and z are read".into()
-            });
-    }
-}
-
-fn no_faces(vertices: u32, ignored: &Ignored) -> Diagnostic {
-    let message = format!("the mesh has {vertices} vertices and no faces");
-    let mut diagnostic = Diagnostic::error(codes::NO_FACES, message);
-    if let Some((span, _)) = &ignored.free_form.first {
-        return diagnostic
-            .at_bytes(File::Mesh, span.bytes(), "free-form geometry is no mesh")
-            .help("mesh the surface in the modelling program, then export it");
-    }
-    diagnostic = match &ignored.unknown.first {
-        Some((span, keyword)) => diagnostic.at_bytes(
-            File::Mesh,
-            span.bytes(),
-            format!("`{keyword}` is no OBJ record"),
-        ),
-        None if vertices == 0 => Diagnostic::error(
-            codes::EMPTY,
-            "the mesh file has no vertices and no faces, only comments and names",
-        )
-        .at_bytes(File::Mesh, 0..1, "nothing from here on"),
-        None => diagnostic.at_bytes(File::Mesh, 0..1, "no `f` record from here on"),
-    };
-    diagnostic.help("export the surface as a mesh in Wavefront OBJ format")
 }

@@ -2,9 +2,10 @@
 //! comes from.
 
 use super::findings::Findings;
+use super::ignored::at_lines;
 use super::lines::Span;
 use super::polygon::{self, MAX_POLYGON, PolygonFault};
-use super::scan::{Scan, at_lines};
+use super::scan::Scan;
 use super::{MAX_COORDINATE, ReadOptions};
 use crate::diagnostics::{Diagnostic, File, codes::surface as codes};
 use crate::project::model::Axis;
