@@ -3,6 +3,7 @@
 mod common;
 
 use common::{python, synthetic};
+use egg::diagnostics::{Diagnostic, Place};
 use egg::fabrication::drawing::{Drawing, Layer, Palette, Text};
 use egg::fabrication::{self, Inputs, OutputFile, bom, nesting, svg};
 use egg::plan::Plan;
@@ -153,16 +154,149 @@ fn kerf_grows_outlines_and_shrinks_openings() {
 fn svg_and_dxf_of_a_drawing_are_the_same_to_a_micrometre() {
     let python = readers();
     let script = |folder: &PathBuf| python::read(&python, "same_drawing.py", &[folder]);
-    println!("{}", script(&Job::desktop().write("desktop-pictures")));
-    println!("{}", script(&Job::pavilion().write("pavilion-pictures")));
+    // Drawings that were compared, pictures that were rendered.
+    assert_eq!(
+        script(&Job::desktop().write("desktop-pictures")).trim(),
+        "2 5"
+    );
+    assert_eq!(
+        script(&Job::pavilion().write("pavilion-pictures")).trim(),
+        "3 7"
+    );
+}
+
+#[test]
+fn the_same_plan_gives_the_same_bytes() {
+    let first = Job::pavilion().files();
+    std::thread::sleep(std::time::Duration::from_millis(20));
+    assert!(first == Job::pavilion().files());
+}
+
+#[test]
+fn a_dxf_is_read_back_by_the_library_that_wrote_it() {
+    let files = Job::desktop().files();
+    let is_dxf = |file: &&OutputFile| Path::new(&file.path).extension() == Some("dxf".as_ref());
+    for file in files.iter().filter(is_dxf) {
+        let drawing = dxf::Drawing::load(&mut file.bytes.as_slice()).expect("a drawing");
+        assert_eq!(
+            drawing.header.default_drawing_units,
+            dxf::enums::Units::Millimeters
+        );
+        let closed = drawing.entities().filter(|e| match &e.specific {
+            dxf::entities::EntityType::LwPolyline(polyline) => polyline.is_closed(),
+            _ => false,
+        });
+        // Outlines and notches, and on the sheet its frame.
+        let frame = usize::from(file.path.contains("sheet"));
+        assert_eq!(closed.count(), 16 + 70 + frame, "{}", file.path);
+    }
+}
+
+fn golden(name: &str, bytes: &[u8]) {
+    let text = String::from_utf8(bytes.to_vec()).expect("UTF-8");
+    insta::with_settings!({
+        snapshot_path => "golden/fabrication",
+        prepend_module_to_snapshot => false,
+        omit_expression => true,
+    }, { insta::assert_snapshot!(name, text) });
 }
 
 #[test]
 fn letters_look_as_designed() {
-    let letters = svg::write(&specimen()).expect("finite");
-    fs::write(
-        Path::new(env!("CARGO_TARGET_TMPDIR")).join("letters.svg"),
-        &letters,
-    )
-    .expect("a file");
+    golden("letters.svg", &svg::write(&specimen()).expect("finite"));
+}
+
+#[test]
+fn tables_are_as_reviewed() {
+    let files = Job::pavilion().files();
+    for name in ["bom.csv", "cutlist.csv"] {
+        let file = files.iter().find(|file| file.path == name).expect("made");
+        golden(&format!("pavilion.{name}"), &file.bytes);
+    }
+    let files = Job::desktop().files();
+    for name in ["crossings.csv", "cladding/west.svg"] {
+        let file = files.iter().find(|file| file.path == name).expect("made");
+        golden(&format!("desktop.{}", name.replace('/', ".")), &file.bytes);
+    }
+}
+
+/// Diagnostics as text: code, message, help.
+fn told(diagnostics: &[Diagnostic]) -> String {
+    diagnostics
+        .iter()
+        .map(|d| {
+            let mut lines = vec![format!("{}: {}", d.code, d.message)];
+            lines.extend(d.labels.iter().map(|label| match &label.place {
+                Place::Key(key) => format!("  at {key}: {}", label.text),
+                Place::Bytes { .. } => String::new(),
+            }));
+            lines.extend(d.notes.iter().map(|note| format!("  note: {note}")));
+            lines.extend(d.help.iter().map(|help| format!("  help: {help}")));
+            lines.join("\n") + "\n"
+        })
+        .collect()
+}
+
+#[test]
+fn what_cannot_be_made_is_explained() {
+    let plan = synthetic::pavilion();
+    let hardware = synthetic::hardware(4.0, 5.0);
+    let fabrication = synthetic::fabrication([2.5, 1.25]);
+    let materials = synthetic::materials();
+    let blanks = fabrication::blanks(&plan.lamellae, &materials);
+    let mut text = String::new();
+
+    let mut stock = fabrication.clone();
+    stock.stock.length = 1.5;
+    let short = nesting::nest(&blanks, &nesting::Settings::new(&stock));
+    text += &told(&short.expect_err("lamellae are longer"));
+    stock.stock.width = 0.03;
+    let narrow = nesting::nest(&blanks, &nesting::Settings::new(&stock));
+    text += &told(&narrow.expect_err("lamellae are wider"));
+
+    let shopping = |hardware| bom::Shopping {
+        hardware,
+        materials: &materials,
+        stock: &fabrication.stock,
+        groups: &[],
+    };
+    let mut thick = plan.clone();
+    for lamella in &mut thick.lamellae {
+        lamella.thickness = 0.012;
+    }
+    text += &told(&bom::rows(&thick, &shopping(&hardware)).expect_err("bolts end at 40 mm"));
+
+    let mut wrong = hardware.clone();
+    wrong.bolt.name = "M7".to_owned();
+    wrong.bolt.diameter = 0.007;
+    text += &told(&bom::rows(&plan, &shopping(&wrong)).expect_err("no such series"));
+
+    let mut kerf = fabrication.clone();
+    kerf.kerf = 0.0045;
+    let inputs = Inputs {
+        hardware: &hardware,
+        fabrication: &kerf,
+        materials: &materials,
+    };
+    text += &told(&fabrication::outputs(&plan, inputs).expect_err("holes close"));
+
+    let mut broken = plan.clone();
+    broken.members[3].planar[0][1] = f64::NAN;
+    let inputs = Inputs {
+        fabrication: &fabrication,
+        ..inputs
+    };
+    text += &told(&fabrication::outputs(&broken, inputs).expect_err("no number"));
+    golden("refusals.txt", text.as_bytes());
+}
+
+#[test]
+fn labels_without_room_are_told_and_left_out() {
+    let mut job = Job::desktop();
+    for lamella in &mut job.plan.lamellae {
+        lamella.width = 0.004;
+    }
+    let parts = fabrication::parts(&job.plan, job.inputs()).expect("parts");
+    assert_eq!(parts.warnings.len(), job.plan.lamellae.len());
+    assert_eq!(parts.warnings[0].code.as_str(), "W0720");
 }

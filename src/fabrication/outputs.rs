@@ -42,9 +42,9 @@ pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     } = parts(plan, inputs)?;
     let mut files = Vec::new();
     let mut errors = Vec::new();
-    let mut take = |result: Result<Vec<OutputFile>, Diagnostic>| match result {
-        Ok(made) => files.extend(made),
-        Err(error) => errors.push(error),
+    let mut take = |result: Checked<Vec<OutputFile>>| match result {
+        Ok(made) => files.extend(made.value),
+        Err(told) => errors.extend(told),
     };
     take(cladding_files(plan));
     take(layout_files(plan, inputs));
@@ -53,7 +53,7 @@ pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     for sheet in &plan.sheets {
         take(sheet_files(plan, sheet, &by_id, inputs));
     }
-    take(Ok(table_files(plan, inputs)));
+    files.extend(table_files(plan, inputs));
     if errors.is_empty() {
         Ok(Warned {
             value: files,
@@ -114,7 +114,7 @@ pub fn sheet_files(
     sheet: &SheetRecord,
     parts: &Parts<'_>,
     inputs: Inputs<'_>,
-) -> Result<Vec<OutputFile>, Diagnostic> {
+) -> Checked<Vec<OutputFile>> {
     let style = SheetStyle {
         project: &plan.name,
         count: plan.sheets.len(),
@@ -130,19 +130,20 @@ pub fn sheet_files(
         sheet.id,
         plan.sheets.len()
     );
-    let mut files = both(&name, &sheet::cut_file(sheet, parts, &style))?;
-    files.push(picture(
+    let mut files = Files::default();
+    files.both(&name, &sheet::cut_file(sheet, parts, &style));
+    files.picture(
         &format!("{name}.overview"),
         &sheet::overview(sheet, parts, &style),
-    )?);
-    Ok(files)
+    );
+    files.finish()
 }
 
 /// The flat layout of every patch.
-pub fn layout_files(plan: &Plan, inputs: Inputs<'_>) -> Result<Vec<OutputFile>, Diagnostic> {
+pub fn layout_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     let index = PlanIndex::new(plan);
     let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
-    let mut files = Vec::new();
+    let mut files = Files::default();
     for (patch, name) in plan.patches.iter().zip(names) {
         let members = plan.members.iter().filter(|m| m.patch == patch.id);
         let is_here = |member: &str| index.member(member).is_some_and(|m| m.patch == patch.id);
@@ -155,35 +156,29 @@ pub fn layout_files(plan: &Plan, inputs: Inputs<'_>) -> Result<Vec<OutputFile>, 
             crossings: plan.crossings.iter().filter(|c| is_here(&c.u)).collect(),
             bolt: inputs.hardware.bolt.diameter,
         };
-        files.extend(both(&format!("layout/{name}"), &layout::draw(&flat))?);
+        files.both(&format!("layout/{name}"), &layout::draw(&flat));
     }
-    Ok(files)
+    files.finish()
 }
 
 /// The members of all patches from above.
-pub fn above_files(plan: &Plan) -> Result<Vec<OutputFile>, Diagnostic> {
+pub fn above_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
+    let mut files = Files::default();
     let above = from_above::draw(&plan.name, &plan.patches, &plan.members, &plan.points);
-    Ok(vec![picture("layout/from-above", &above)?])
+    files.picture("layout/from-above", &above);
+    files.finish()
 }
 
 /// The cladding functions of every patch.
-pub fn cladding_files(plan: &Plan) -> Result<Vec<OutputFile>, Diagnostic> {
+pub fn cladding_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
     let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
-    plan.patches
-        .iter()
-        .zip(names)
-        .map(|(patch, name)| {
-            let members: Vec<_> = plan
-                .members
-                .iter()
-                .filter(|m| m.patch == patch.id)
-                .collect();
-            picture(
-                &format!("cladding/{name}"),
-                &cladding_plot::draw(patch, &members),
-            )
-        })
-        .collect()
+    let mut files = Files::default();
+    for (patch, name) in plan.patches.iter().zip(names) {
+        let members = plan.members.iter().filter(|m| m.patch == patch.id);
+        let drawing = cladding_plot::draw(patch, &members.collect::<Vec<_>>());
+        files.picture(&format!("cladding/{name}"), &drawing);
+    }
+    files.finish()
 }
 
 /// The tables.
@@ -233,32 +228,50 @@ fn kerf_errors(plan: &Plan, fabrication: &Fabrication) -> Option<Diagnostic> {
     )
 }
 
-/// A drawing as DXF and SVG.
-fn both(name: &str, drawing: &Drawing) -> Result<Vec<OutputFile>, Diagnostic> {
-    let bytes = dxf::write(drawing).map_err(|error| not_finite(name, &error))?;
-    let dxf = OutputFile {
-        path: format!("{name}.dxf"),
-        bytes,
-    };
-    Ok(vec![dxf, picture(name, drawing)?])
+/// Files in the making, and drawings that cannot be written.
+#[derive(Default)]
+struct Files {
+    files: Vec<OutputFile>,
+    errors: Vec<Diagnostic>,
 }
 
-/// A drawing as SVG.
-fn picture(name: &str, drawing: &Drawing) -> Result<OutputFile, Diagnostic> {
-    let bytes = svg::write(drawing).map_err(|error| not_finite(name, &error))?;
-    Ok(OutputFile {
-        path: format!("{name}.svg"),
-        bytes,
-    })
-}
+impl Files {
+    /// A drawing as DXF and SVG.
+    fn both(&mut self, name: &str, drawing: &Drawing) {
+        self.add(name, "dxf", dxf::write(drawing));
+        self.picture(name, drawing);
+    }
 
-fn not_finite(name: &str, NotFinite { layer, subject }: &NotFinite) -> Diagnostic {
-    Diagnostic::error(
-        codes::NOT_A_NUMBER,
-        format!(
-            "`{name}` has a coordinate that is no number, on layer {}",
-            layer.name()
-        ),
-    )
-    .about(subject)
+    /// A drawing as SVG.
+    fn picture(&mut self, name: &str, drawing: &Drawing) {
+        self.add(name, "svg", svg::write(drawing));
+    }
+
+    fn add(&mut self, name: &str, format: &str, written: Result<Vec<u8>, NotFinite>) {
+        let path = format!("{name}.{format}");
+        match written {
+            Ok(bytes) => self.files.push(OutputFile { path, bytes }),
+            Err(NotFinite { layer, subject }) => self.errors.push(
+                Diagnostic::error(
+                    codes::NOT_A_NUMBER,
+                    format!(
+                        "`{path}` has a coordinate that is no number, on layer {}",
+                        layer.name()
+                    ),
+                )
+                .about(subject),
+            ),
+        }
+    }
+
+    fn finish(self) -> Checked<Vec<OutputFile>> {
+        if self.errors.is_empty() {
+            Ok(Warned {
+                value: self.files,
+                warnings: Vec::new(),
+            })
+        } else {
+            Err(self.errors)
+        }
+    }
 }

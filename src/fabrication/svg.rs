@@ -111,17 +111,21 @@ fn data<'a>(paths: impl IntoIterator<Item = &'a Path>, height: f64) -> String {
     for path in paths {
         let mut segments = path.segments().peekable();
         if let Some(first) = segments.peek() {
-            text += &format!("M{}", point(first.from));
+            text.push('M');
+            text += &point(first.from);
         }
         while let Some(segment) = segments.next() {
             if segment.bulge != 0.0 {
                 arcs(&segment, &mut |radius, sweep, to| {
                     let radius = number(radius);
-                    text += &format!("A{radius} {radius} 0 0 {sweep} {}", point(to));
+                    let shape = ["A", &radius, " ", &radius, " 0 0 ", sweep, " "];
+                    text.extend(shape);
+                    text += &point(to);
                 });
             } else if segments.peek().is_some() || path.closed == Closure::Open {
                 // The last straight side of a closed path is drawn by the closing Z.
-                text += &format!("L{}", point(segment.to));
+                text.push('L');
+                text += &point(segment.to);
             }
         }
         if path.closed == Closure::Closed {
@@ -133,13 +137,14 @@ fn data<'a>(paths: impl IntoIterator<Item = &'a Path>, height: f64) -> String {
 
 /// Calls `draw` with radius, SVG's sweep flag and end of each piece of an arc. Counter-clockwise
 /// with y up is SVG's negative direction with y down.
-fn arcs(segment: &Segment, draw: &mut impl FnMut(f64, u8, [f64; 2])) {
+fn arcs(segment: &Segment, draw: &mut impl FnMut(f64, &'static str, [f64; 2])) {
     if segment.bulge.abs() > LONGEST_BULGE {
         for half in segment.halves() {
             arcs(&half, draw);
         }
     } else if let Some(arc) = segment.arc() {
-        draw(arc.radius, u8::from(segment.bulge < 0.0), segment.to);
+        let sweep = if segment.bulge < 0.0 { "1" } else { "0" };
+        draw(arc.radius, sweep, segment.to);
     }
 }
 

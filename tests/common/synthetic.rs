@@ -162,10 +162,11 @@ pub(crate) fn materials() -> Vec<Material> {
 
 /// Side lengths 1-2, 2-3, 3-4, 4-1 and the angle at the first corner, degrees.
 pub(crate) fn quad([a, b, c, d]: [f64; 4], alpha: f64) -> [[f64; 2]; 4] {
-    let corner = [d * alpha.to_radians().cos(), d * alpha.to_radians().sin()];
+    let (sin, cos) = libm::sincos(alpha.to_radians());
+    let corner = [d * cos, d * sin];
     // The third corner lies on circles of b around the second and of c around the fourth.
     let [dx, dy] = [corner[0] - a, corner[1]];
-    let gap = dx.hypot(dy);
+    let gap = libm::hypot(dx, dy);
     let along = (b * b - c * c + gap * gap) / (2.0 * gap);
     let aside = (b * b - along * along).sqrt();
     let third = [
@@ -296,7 +297,7 @@ fn crossing(
     let planar = mix(g.from, g.to, s);
     let inner = i > 0 && i + 1 < patch.u && j > 0 && j + 1 < patch.v;
     let slide = if inner {
-        patch.slide * (PI * s).sin() * (PI * t).sin()
+        patch.slide * libm::sin(PI * s) * libm::sin(PI * t)
     } else {
         0.0
     };
@@ -307,7 +308,7 @@ fn crossing(
             planar,
         }
     };
-    let angle = (dg[0] * dh[1] - dg[1] * dh[0]).atan2(dg[0] * dh[0] + dg[1] * dh[1]);
+    let angle = libm::atan2(dg[0] * dh[1] - dg[1] * dh[0], dg[0] * dh[0] + dg[1] * dh[1]);
     let shares = [
         g.start + s * (g.end - g.start),
         h.start + t * (h.end - h.start),
@@ -398,7 +399,7 @@ fn patch_record(patch: &Patch) -> PatchRecord {
         corners: patch.corners.map(str::to_owned),
         sides: [side(a, b), side(b, c), side(c, d), side(d, a)],
         alpha_surface: 80.0,
-        alpha_planar: d[1].atan2(d[0]).to_degrees(),
+        alpha_planar: libm::atan2(d[1], d[0]).to_degrees(),
         planar_corners: patch.planar,
         diagonals: Diagonals {
             e: 1.0,
@@ -451,7 +452,7 @@ fn lift([a, b, c, d]: &[[f64; 3]; 4], [x, y]: [f64; 2]) -> [f64; 3] {
     let mut point: [f64; 3] = std::array::from_fn(|k| {
         (1.0 - x) * (1.0 - y) * a[k] + x * (1.0 - y) * b[k] + x * y * c[k] + (1.0 - x) * y * d[k]
     });
-    point[2] += 0.3 * (PI * x).sin() * (PI * y).sin();
+    point[2] += 0.3 * libm::sin(PI * x) * libm::sin(PI * y);
     point
 }
 
@@ -468,5 +469,5 @@ fn mix(a: [f64; 2], b: [f64; 2], t: f64) -> [f64; 2] {
 }
 
 fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
-    (b[0] - a[0]).hypot(b[1] - a[1])
+    libm::hypot(b[0] - a[0], b[1] - a[1])
 }

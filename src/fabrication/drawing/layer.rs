@@ -24,14 +24,14 @@ pub enum Layer {
     // Drawings of lamellae for people.
     /// The panel.
     Sheet,
-    /// Lamellae below: the v-family, or the parts on a sheet.
+    /// Lamellae below: the v-family.
     LamellaV,
-    /// Their openings.
-    OpeningV,
-    /// Lamellae above: the u-family.
+    /// Lamellae above: the u-family, or the parts on a sheet.
     LamellaU,
-    /// Their openings.
+    /// Openings of the lamellae above.
     OpeningU,
+    /// Openings of the lamellae below, seen through those above.
+    OpeningV,
     /// Bolts in the flat state.
     Bolt,
     // Figures.
@@ -100,9 +100,9 @@ impl Layer {
         Self::CutOuter,
         Self::Sheet,
         Self::LamellaV,
-        Self::OpeningV,
         Self::LamellaU,
         Self::OpeningU,
+        Self::OpeningV,
         Self::Bolt,
         Self::Gridline,
         Self::Axis,
@@ -210,7 +210,7 @@ fn plain_people_style(layer: Layer) -> Style {
         Layer::LamellaU => style(INK_U, 0.25, Some(WOOD_U)),
         Layer::LamellaV => style(INK_V, 0.25, Some(WOOD_V)),
         Layer::OpeningU => style(INK_U, 0.25, Some(PAPER)),
-        Layer::OpeningV => style(INK_V, 0.25, Some(PAPER)),
+        Layer::OpeningV => style(INK_V, 0.25, None),
         Layer::CurveU => style(INK_U, 0.6, None),
         Layer::CurveV => style(INK_V, 0.6, None),
         Layer::DotU => style(INK_U, 0.2, Some(INK_U.0)),

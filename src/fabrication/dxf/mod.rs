@@ -26,12 +26,16 @@ pub fn write(drawing: &Drawing) -> Result<Vec<u8>, NotFinite> {
             file.add_entity(written);
         }
     }
-    let mut raw = Vec::new();
-    file.save(&mut raw)
-        .expect("memory takes every byte and text is ASCII");
-    let raw = String::from_utf8_lossy(&raw);
-    let complete = structure::complete(&pairs::read(&raw), drawing);
+    let complete = structure::complete(&saved(&file), drawing);
     Ok(pairs::write(&complete))
+}
+
+/// The code pairs that the crate writes.
+fn saved(file: &dxf::Drawing) -> Vec<pairs::Pair> {
+    let mut bytes = Vec::new();
+    file.save(&mut bytes)
+        .expect("memory takes every byte, and there is no thumbnail to encode");
+    pairs::read(&String::from_utf8_lossy(&bytes))
 }
 
 /// Lineweight of a layer in hundredths of a millimetre as the format codes it: hairlines for

@@ -35,11 +35,10 @@ pub(super) fn read(text: &str) -> Vec<Pair> {
 
 /// Pairs as text with the line ends that the format asks for.
 pub(super) fn write(pairs: &[Pair]) -> Vec<u8> {
-    let mut text = String::new();
-    for Pair { code, value } in pairs {
-        text += &format!("{code:>3}\r\n{value}\r\n");
-    }
-    text.into_bytes()
+    let lines = pairs
+        .iter()
+        .flat_map(|Pair { code, value }| [format!("{code:>3}\r\n"), format!("{value}\r\n")]);
+    lines.collect::<String>().into_bytes()
 }
 
 /// Splits pairs before each one with code 0: the records of a section or table.

@@ -141,14 +141,14 @@ fn header_value<'a>(header: &'a [Pair], variable: &str) -> Option<&'a Pair> {
 }
 
 fn header(saved: &[Pair], handles: &Handles, drawing: &Drawing) -> Vec<Pair> {
-    let digest = drawing.digest();
-    let [fingerprint, version] = [0, 16].map(|start| guid(&digest.as_bytes()[start..start + 16]));
+    let digest = drawing.digest().to_hex();
+    let (fingerprint, version) = digest.split_at(32);
     let mut header = section(saved, "HEADER").to_vec();
     for i in 1..header.len() {
         let fixed = match header[i - 1].value.as_str() {
             "$TDCREATE" | "$TDUCREATE" | "$TDUPDATE" | "$TDUUPDATE" => EPOCH.to_owned(),
-            "$FINGERPRINTGUID" => fingerprint.clone(),
-            "$VERSIONGUID" => version.clone(),
+            "$FINGERPRINTGUID" => guid(fingerprint),
+            "$VERSIONGUID" => guid(version),
             "$HANDSEED" => format!("{:X}", handles.next),
             _ => continue,
         };
@@ -157,16 +157,11 @@ fn header(saved: &[Pair], handles: &Handles, drawing: &Drawing) -> Vec<Pair> {
     header
 }
 
-fn guid(bytes: &[u8]) -> String {
-    let hex: String = bytes.iter().map(|b| format!("{b:02X}")).collect();
-    format!(
-        "{{{}-{}-{}-{}-{}}}",
-        &hex[..8],
-        &hex[8..12],
-        &hex[12..16],
-        &hex[16..20],
-        &hex[20..]
-    )
+/// Half of a hash in the form of identifiers.
+fn guid(half: &str) -> String {
+    let hex = half.to_ascii_uppercase();
+    let [a, b, c, d, e] = [0..8, 8..12, 12..16, 16..20, 20..32].map(|range| &hex[range]);
+    format!("{{{a}-{b}-{c}-{d}-{e}}}")
 }
 
 fn classes() -> Vec<Pair> {
@@ -232,8 +227,8 @@ fn table_row(
                 out.push(Pair::new(code, pair.value.as_str()));
                 Pair::new(330, owner)
             }
-            // Pointers to blocks and styles that nothing here uses.
-            ("DIMSTYLE", 340..=344) => continue,
+            // Pointers to blocks and styles that nothing here uses; flags of later versions.
+            ("DIMSTYLE", 340..=344) | ("BLOCK_RECORD", 70) => continue,
             ("LAYER", 370) => {
                 let name = value(row, 2).unwrap_or_default();
                 Pair::new(370, super::layer_weight(drawing, name).to_string())
@@ -241,8 +236,6 @@ fn table_row(
             ("LAYER", 390) => Pair::new(390, handles.plot_style.as_str()),
             ("BLOCK_RECORD", 2) => Pair::new(2, space.map_or(pair.value.as_str(), |s| s.name)),
             ("BLOCK_RECORD", 340) => Pair::new(340, space.map_or("0", |s| s.layout.as_str())),
-            // Flags of block records came with later versions.
-            ("BLOCK_RECORD", 70) => continue,
             _ => pair.clone(),
         };
         out.push(pair);

@@ -150,7 +150,7 @@ pub fn nest(blanks: &[Blank], settings: &Settings) -> Checked<Nest> {
                 nest.sheets.extend(sheets);
                 nest.groups.push(summary);
             }
-            Err(error) => errors.push(error),
+            Err(error) => errors.push(*error),
         }
     }
     let digits = nest.sheets.len().to_string().len().max(2);
@@ -170,7 +170,7 @@ pub fn nest(blanks: &[Blank], settings: &Settings) -> Checked<Nest> {
 fn nest_group(
     blanks: &[&Blank],
     settings: &Settings,
-) -> Result<(Vec<SheetRecord>, Group), Diagnostic> {
+) -> Result<(Vec<SheetRecord>, Group), Box<Diagnostic>> {
     let lays = match blanks.first().map(|blank| blank.grain) {
         Some(Grain::Across) => vec![Lay::Across],
         Some(Grain::None) => vec![Lay::Along, Lay::Across],
@@ -203,6 +203,7 @@ fn nest_group(
             .filter_map(|format| misfit(blanks, settings, format))
             .min_by_key(|diagnostic| diagnostic.code.clone())
             .expect("a group without nesting has a misfit on every format")
+            .into()
     })
 }
 
