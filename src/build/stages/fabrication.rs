@@ -2,7 +2,7 @@
 
 use super::{judged, outcome, plain};
 use crate::build::{Failure, Files, Node, Numerics, Stage};
-use crate::diagnostics::{Diagnostic, Warned};
+use crate::diagnostics::{Checked, Warned};
 use crate::fabrication::bom::{self, Shopping};
 use crate::fabrication::nesting::{Blank, Nest, Settings, nest};
 use crate::fabrication::{self as outputs, Inputs, OutputFile};
@@ -144,8 +144,8 @@ pub(in crate::build) const SHEET_FILES: Stage<DrawingInput, (Vec<Node<Plan>>, No
             let by_id = parts.iter().map(|part| (part.id.as_str(), part)).collect();
             let mut made = Files::new();
             for sheet in &plan.sheets {
-                let drawn = outputs::sheet_files(&plan, sheet, &by_id, input.inputs())?;
-                for OutputFile { path, bytes } in drawn {
+                let drawn = outputs::sheet_files(&plan, sheet, &by_id, input.inputs());
+                for OutputFile { path, bytes } in drawn.map_err(Failure::Errors)?.value {
                     made.push(path, bytes);
                 }
             }
@@ -166,14 +166,22 @@ pub(in crate::build) const TABLE_FILES: Stage<
         let mut plan = bind(&input.name, chapters.into_iter());
         plan.sheets.clone_from(&nest.sheets);
         plan.bill_of_materials.clone_from(bill);
-        files(Ok(outputs::table_files(&plan, input.inputs())))
+        let tables = outputs::table_files(&plan, input.inputs());
+        files(Ok(Warned {
+            value: tables,
+            warnings: Vec::new(),
+        }))
     },
 };
 
-fn files(made: Result<Vec<OutputFile>, Diagnostic>) -> Result<Warned<Files>, Failure> {
+fn files(made: Checked<Vec<OutputFile>>) -> Result<Warned<Files>, Failure> {
+    let Warned { value, warnings } = made.map_err(Failure::Errors)?;
     let mut files = Files::new();
-    for OutputFile { path, bytes } in made? {
+    for OutputFile { path, bytes } in value {
         files.push(path, bytes);
     }
-    plain(files)
+    Ok(Warned {
+        value: files,
+        warnings,
+    })
 }
