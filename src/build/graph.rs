@@ -211,7 +211,7 @@ struct Lines<'n> {
     anchors: Node<Anchors>,
     network: &'n Network,
     points: BTreeMap<String, Node<SurfacePoint>>,
-    lines: BTreeMap<usize, Node<Side>>,
+    declared: BTreeMap<usize, Node<Side>>,
 }
 
 impl<'n> Lines<'n> {
@@ -234,7 +234,7 @@ impl<'n> Lines<'n> {
             anchors,
             network,
             points: BTreeMap::new(),
-            lines: BTreeMap::new(),
+            declared: BTreeMap::new(),
         }
     }
 
@@ -270,7 +270,7 @@ impl<'n> Lines<'n> {
 
     /// A line, by its index in the network.
     fn line(&mut self, graph: &mut Graph<'_>, index: usize) -> Node<Side> {
-        if let Some(node) = self.lines.get(&index) {
+        if let Some(node) = self.declared.get(&index) {
             return *node;
         }
         let network = self.network;
@@ -278,7 +278,7 @@ impl<'n> Lines<'n> {
         let ends = line.ends().map(|name| self.point(graph, name));
         let node = graph.add(&LINE, line.id(), (), (self.surface, ends[0], ends[1]));
         graph.origin(node, "", key(&["points", line.ends()[0]]));
-        self.lines.insert(index, node);
+        self.declared.insert(index, node);
         node
     }
 }

@@ -200,8 +200,8 @@ pub fn choose_angle(maps: &Maps<'_>, demands: &Demands) -> AngleChoice {
             angle(last + 1)
         };
         let interval = (
-            boundary(&is_feasible, angle(first), before),
-            boundary(&is_feasible, angle(last), after),
+            boundary(is_feasible, angle(first), before),
+            boundary(is_feasible, angle(last), after),
         );
         feasible.push(interval);
         // The area rises from either end of the convex range, so its smallest value on an

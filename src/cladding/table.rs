@@ -108,8 +108,8 @@ fn spline_slopes(values: &[f64], step: f64) -> Vec<f64> {
     let mut upper = vec![1.0; n];
     let mut lower = vec![1.0; n];
     let mut slopes = vec![0.0; n];
-    for i in 1..last {
-        slopes[i] = 3.0 * (difference(i - 1) + difference(i));
+    for (i, slope) in slopes.iter_mut().enumerate().take(last).skip(1) {
+        *slope = 3.0 * (difference(i - 1) + difference(i));
     }
     // Third derivatives agree across the second and the last but one node.
     diagonal[0] = 1.0;

@@ -38,16 +38,16 @@ impl Console {
     }
 
     /// Whether a progress bar can be drawn and is wanted.
-    pub(super) fn draws_progress(&self) -> bool {
+    pub(super) fn draws_progress(self) -> bool {
         self.terminal && !self.quiet && self.format == MessageFormat::Human
     }
 
-    pub(super) fn is_json(&self) -> bool {
+    pub(super) fn is_json(self) -> bool {
         self.format == MessageFormat::Json
     }
 
     /// Tells diagnostics; `quiet` leaves errors only.
-    pub(super) fn tell(&self, diagnostics: &[Diagnostic], sources: &Sources<'_>) {
+    pub(super) fn tell(self, diagnostics: &[Diagnostic], sources: &Sources<'_>) {
         let wanted: Vec<Diagnostic> = diagnostics
             .iter()
             .filter(|d| !self.quiet || d.severity == Severity::Error)
@@ -60,7 +60,7 @@ impl Console {
     }
 
     /// A line about what was done: a right-aligned verb, then what.
-    pub(super) fn status(&self, verb: &str, what: &str) {
+    pub(super) fn status(self, verb: &str, what: &str) {
         if self.quiet || self.is_json() {
             return;
         }
@@ -72,7 +72,7 @@ impl Console {
     }
 
     /// An error of usage, about no place in a file.
-    pub(super) fn complain(&self, message: &str, help: Option<&str>) {
+    pub(super) fn complain(self, message: &str, help: Option<&str>) {
         let help = help.map_or(String::new(), |help| format!("  help: {help}\n"));
         if self.is_json() {
             self.record(&Complaint {
@@ -85,7 +85,7 @@ impl Console {
     }
 
     /// A record for programs.
-    pub(super) fn record(&self, record: &impl Serialize) {
+    pub(super) fn record(self, record: &impl Serialize) {
         if !self.is_json() {
             return;
         }
@@ -94,11 +94,11 @@ impl Console {
         }
     }
 
-    fn records(&self, lines: &str) {
+    fn records(self, lines: &str) {
         if self.document {
-            err(lines)
+            err(lines);
         } else {
-            out(lines)
+            out(lines);
         }
     }
 }
@@ -122,13 +122,13 @@ fn err(text: &str) {
 fn style(when: ColorWhen, terminal: bool) -> Style {
     let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
     let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
-    match when {
-        ColorWhen::Always => Style::Colour,
-        ColorWhen::Never => Style::Plain,
-        ColorWhen::Auto if set("NO_COLOR") => Style::Plain,
-        ColorWhen::Auto if set("FORCE_COLOR") || set("CLICOLOR_FORCE") => Style::Colour,
-        ColorWhen::Auto if dumb => Style::Narrated,
-        ColorWhen::Auto if terminal => Style::Colour,
-        ColorWhen::Auto => Style::Plain,
-    }
+    let colour = match when {
+        ColorWhen::Always => true,
+        ColorWhen::Never => false,
+        ColorWhen::Auto if set("NO_COLOR") => false,
+        ColorWhen::Auto if set("FORCE_COLOR") || set("CLICOLOR_FORCE") => true,
+        ColorWhen::Auto if dumb => return Style::Narrated,
+        ColorWhen::Auto => terminal,
+    };
+    if colour { Style::Colour } else { Style::Plain }
 }

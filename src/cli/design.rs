@@ -31,7 +31,7 @@ pub(super) struct Opened {
 
 impl Opened {
     /// Finds and reads a project file and tells what is wrong with it.
-    pub(super) fn open(console: &Console, given: Option<&Path>) -> Result<Self, Exit> {
+    pub(super) fn open(console: Console, given: Option<&Path>) -> Result<Self, Exit> {
         let path = match given {
             Some(path) => path.to_owned(),
             None => find(console)?,
@@ -166,7 +166,7 @@ impl Opened {
     }
 
     /// Tells diagnostics about this project.
-    pub(super) fn tell(&self, console: &Console, diagnostics: &[Diagnostic]) {
+    pub(super) fn tell(&self, console: Console, diagnostics: &[Diagnostic]) {
         let name = self.path.to_string_lossy().replace('\\', "/");
         let mesh_name = self.loaded.project.as_ref().map(|p| p.surface.mesh.clone());
         let sources = Sources {
@@ -191,7 +191,7 @@ pub(super) fn has_errors(diagnostics: &[Diagnostic]) -> bool {
 }
 
 /// The one project file of the current folder.
-fn find(console: &Console) -> Result<PathBuf, Exit> {
+fn find(console: Console) -> Result<PathBuf, Exit> {
     let entries = std::fs::read_dir(".").map_err(|error| {
         console.complain(&format!("cannot read the current folder: {error}"), None);
         Exit::Usage

@@ -24,10 +24,10 @@ pub(super) struct Job {
 impl Job {
     /// Prepares an engine; tells what is wrong with the project file.
     pub(super) fn prepare(console: Console, global: &Global, opened: Opened) -> Result<Self, Exit> {
-        opened.tell(&console, &opened.loaded.diagnostics);
+        opened.tell(console, &opened.loaded.diagnostics);
         let project = opened.project()?;
         let mesh_path = opened.mesh_path(project).map_err(|diagnostic| {
-            opened.tell(&console, &[diagnostic]);
+            opened.tell(console, &[diagnostic]);
             Exit::Errors
         })?;
         let output = output_directory(global, &opened, project);
@@ -70,7 +70,7 @@ impl Job {
         let allowed = &project.allowed_lints;
         let told = crate::diagnostics::without_allowed(built.diagnostics.clone(), allowed);
         self.opened.fetch_mesh_text(&told);
-        self.opened.tell(&self.console, &told);
+        self.opened.tell(self.console, &told);
         if built.cancelled {
             return Err(Exit::Interrupted);
         }
@@ -148,5 +148,5 @@ fn build_id() -> Option<String> {
 fn listen(cancel: &CancelToken) {
     let cancel = cancel.clone();
     // A second handler in one process is refused; the first one still listens.
-    let _ = ctrlc::set_handler(move || cancel.cancel());
+    let _already = ctrlc::set_handler(move || cancel.cancel());
 }

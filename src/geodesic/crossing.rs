@@ -155,7 +155,7 @@ fn cross_in_face(
     let (u, v) = (first.direction(i), second.direction(j));
     let (lu, lv) = (u.norm(), v.norm());
     let sine = u.cross(&v).norm() / (lu * lv);
-    if det == 0.0 || !(sine > PARALLEL) {
+    if det == 0.0 || sine.is_nan() || sine <= PARALLEL {
         return None;
     }
     let (s, t) = (cross(between, other) / det, cross(between, along) / det);

@@ -46,7 +46,7 @@ fn folded_corners(domain: &Domain) -> Vec<Diagnostic> {
     let mut faults = Vec::new();
     for (i, angle) in corner_angles(domain).into_iter().enumerate() {
         let Some(angle) = angle else { continue };
-        if angle < CORNER || angle > std::f64::consts::PI - CORNER {
+        if !(CORNER..=std::f64::consts::PI - CORNER).contains(&angle) {
             faults.push(
                 Diagnostic::error(
                     codes::FOLDED,

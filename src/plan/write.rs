@@ -47,12 +47,10 @@ pub fn to_json(plan: &Plan) -> String {
         match field.as_array().filter(|records| !records.is_empty()) {
             Some(records) => {
                 let lines: Vec<String> = records.iter().map(|r| format!("    {r}")).collect();
-                text.push_str(&format!(
-                    "  \"{key}\": [\n{}\n  ]{comma}\n",
-                    lines.join(",\n")
-                ));
+                let lines = lines.join(",\n");
+                text.extend(["  \"", key, "\": [\n", &lines, "\n  ]", comma, "\n"]);
             }
-            None => text.push_str(&format!("  \"{key}\": {field}{comma}\n")),
+            None => text.extend(["  \"", key, "\": ", &field.to_string(), comma, "\n"]),
         }
     }
     text.push_str("}\n");
@@ -82,6 +80,9 @@ pub fn from_ron(text: &str) -> Result<Plan, ReadError> {
 }
 
 /// The JSON schema of the plan, draft-07.
+///
+/// # Panics
+/// Never: a schema is JSON.
 pub fn schema() -> String {
     let settings = schemars::generate::SchemaSettings::draft07();
     let schema = settings.into_generator().into_root_schema_for::<Plan>();

@@ -83,12 +83,10 @@ fn no_member(family: Family, error: &MakeError) -> Failure {
     }
 }
 
+type GridNeeds = (Node<Domain>, Node<Vec<Member>>, Node<Vec<Member>>);
+
 /// Crossings of both families.
-pub(in crate::build) const GRID: Stage<
-    (),
-    (Node<Domain>, Node<Vec<Member>>, Node<Vec<Member>>),
-    Vec<Crossing>,
-> = Stage {
+pub(in crate::build) const GRID: Stage<(), GridNeeds, Vec<Crossing>> = Stage {
     name: "grid",
     version: 1,
     numerics: Numerics::Portable,
@@ -122,12 +120,10 @@ fn miscrossings(wrong: &[Miscrossing]) -> Failure {
     error.into()
 }
 
+type LamellaNeeds = (Node<Vec<Member>>, Node<Vec<Member>>, Node<Vec<Crossing>>);
+
 /// Lamellae of a patch, u-family first.
-pub(in crate::build) const LAMELLAE: Stage<
-    Section,
-    (Node<Vec<Member>>, Node<Vec<Member>>, Node<Vec<Crossing>>),
-    Vec<Lamella>,
-> = Stage {
+pub(in crate::build) const LAMELLAE: Stage<Section, LamellaNeeds, Vec<Lamella>> = Stage {
     name: "lamellae",
     version: 1,
     numerics: Numerics::Portable,

@@ -33,6 +33,7 @@ fn judged<T>(value: T, found: Vec<Diagnostic>) -> Result<Warned<T>, Failure> {
 }
 
 /// A value about which there is nothing to say.
+#[expect(clippy::unnecessary_wraps, reason = "it is what a stage returns")]
 fn plain<T>(value: T) -> Result<Warned<T>, Failure> {
     Ok(Warned {
         value,

@@ -132,8 +132,8 @@ pub(in crate::build) const PLAN: Stage<PlanInput, PlanNeeds, Plan> = Stage {
     run: |input, (skeleton, chapters, nest, bill, warnings), _| {
         let all = std::iter::once(skeleton).chain(chapters);
         let mut plan = bind(&input.name, all);
-        plan.sheets = nest.sheets.clone();
-        plan.bill_of_materials = bill.clone();
+        plan.sheets.clone_from(&nest.sheets);
+        plan.bill_of_materials.clone_from(bill);
         for (subject, told) in input.subjects.iter().zip(warnings) {
             plan.diagnostics.extend(told.iter().map(|diagnostic| {
                 let mut record = DiagnosticRecord::from(diagnostic);

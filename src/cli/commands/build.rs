@@ -18,7 +18,7 @@ pub(in crate::cli) fn run(
     request: &Request,
 ) -> Result<Exit, Exit> {
     let begin = Instant::now();
-    let opened = Opened::open(&console, file)?;
+    let opened = Opened::open(console, file)?;
     let mut job = Job::prepare(console, global, opened)?;
     let built = job.build(request, Extent::Files)?;
     let exit = Job::verdict(&built);
@@ -105,10 +105,10 @@ pub(in crate::cli) fn dry_run(
     file: Option<&Path>,
     request: &Request,
 ) -> Result<Exit, Exit> {
-    let opened = Opened::open(&console, file)?;
+    let opened = Opened::open(console, file)?;
     let job = Job::prepare(console, global, opened)?;
     let plan = job.plan(request, Extent::Files)?;
-    job.opened.tell(&console, &plan.diagnostics);
+    job.opened.tell(console, &plan.diagnostics);
     if console.is_json() {
         for stage in &plan.stages {
             console.record(&StagePlanned {

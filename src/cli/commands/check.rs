@@ -14,7 +14,7 @@ pub(in crate::cli) fn run(
     global: &Global,
     file: Option<&Path>,
 ) -> Result<Exit, Exit> {
-    let opened = Opened::open(&console, file)?;
+    let opened = Opened::open(console, file)?;
     let mut job = Job::prepare(console, global, opened)?;
     let built = job.build(&Request::default(), Extent::Plan)?;
     let exit = Job::verdict(&built);

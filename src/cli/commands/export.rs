@@ -17,7 +17,7 @@ pub(in crate::cli) fn run(
     format: PlanFormat,
 ) -> Result<Exit, Exit> {
     let console = console.with_document();
-    let opened = Opened::open(&console, file)?;
+    let opened = Opened::open(console, file)?;
     let mut job = Job::prepare(console, global, opened)?;
     let built = job.build(&Request::default(), Extent::Plan)?;
     let Some(plan) = plan_of(&built) else {
