@@ -4,6 +4,7 @@ pub mod distribution;
 mod make;
 mod member;
 mod refine;
+pub mod threads;
 
 pub use make::{MakeError, make_members};
 pub use member::{Member, crossing_label, id_in, member_label};
