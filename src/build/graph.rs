@@ -15,8 +15,9 @@
 //! | `cladding` | patch | `alpha`, `members`, `split.slope`, `lamella.width` | `sides`, `distances` |
 //! | `feasibility` | patch | | `surface`, `curvature`, `patch` |
 //! | `judgement` | patch | `split.eta_max` | `feasibility`, `cladding` |
-//! | `distribution` | patch and family | `members`, `distribution.weights` | `cladding` |
-//! | `members` | patch and family | | `patch`, `cladding`, `distribution` |
+//! | `schedule` | strip | `members`, `distribution.weights`, shares of corners | `cladding` |
+//! | `strip` | strip | the same | `patch`, `cladding`, `schedule` |
+//! | `members` | patch and family | | `strip` |
 //! | `grid` | patch | | `patch`, `members` |
 //! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
 //! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |

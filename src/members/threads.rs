@@ -11,7 +11,6 @@
 
 use crate::cladding::CladdingFunction;
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeMap;
 
 /// A piece of a line as the side of a passage: the shares of the line at the side's share 0 and 1.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -41,7 +40,7 @@ impl LinePiece {
 }
 
 /// One family crossing one patch.
-#[derive(Debug, Clone)]
+#[derive(Debug, Clone, Copy)]
 pub struct Passage<'a> {
     /// Where its members start.
     pub start: LinePiece,
@@ -54,7 +53,8 @@ pub struct Passage<'a> {
 }
 
 impl Passage<'_> {
-    fn piece(&self, end: End) -> LinePiece {
+    /// The side at one of its ends.
+    pub fn piece(&self, end: End) -> LinePiece {
         match end {
             End::Start => self.start,
             End::End => self.end,
@@ -101,6 +101,26 @@ pub enum ThreadFault {
     },
 }
 
+/// A member that runs through one or several passages, from a place on a line.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Thread {
+    /// The line.
+    pub line: u32,
+    /// Share of the line.
+    pub at: f64,
+    /// The ways from there, each through passages in order.
+    pub walks: Vec<Vec<Hop>>,
+}
+
+/// A passage that a thread enters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Hop {
+    /// The passage.
+    pub passage: usize,
+    /// By which of its ends.
+    pub enter: End,
+}
+
 /// A stretch of a passage between two given threads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Stretch {
@@ -121,12 +141,14 @@ pub struct Lanes {
     pub stretches: Vec<Vec<Stretch>>,
     /// Spaces between members in each lane.
     pub spaces: Vec<u32>,
+    /// Given threads that run inside of passages.
+    pub given: Vec<Thread>,
 }
 
 /// Follows given threads and divides passages into lanes with their numbers of members.
 pub fn lanes(passages: &[Passage<'_>]) -> Result<Lanes, ThreadFault> {
-    let given = given_threads(passages)?;
-    let mut stretches: Vec<Vec<Stretch>> = given
+    let (shares, given) = given_threads(passages)?;
+    let mut stretches: Vec<Vec<Stretch>> = shares
         .iter()
         .enumerate()
         .map(|(passage, shares)| {
@@ -141,57 +163,107 @@ pub fn lanes(passages: &[Passage<'_>]) -> Result<Lanes, ThreadFault> {
         .collect();
     let count = number_lanes(passages, &mut stretches);
     let spaces = count_spaces(passages, &stretches, count)?;
-    Ok(Lanes { stretches, spaces })
+    Ok(Lanes {
+        stretches,
+        spaces,
+        given,
+    })
 }
 
 /// Shares (start, end) of the given threads of each passage, ascending: its own boundary members
-/// and whatever corner or given thread comes in from a neighbour.
-fn given_threads(passages: &[Passage<'_>]) -> Result<Vec<Vec<[f64; 2]>>, ThreadFault> {
-    // Places on lines at which a thread is given, per line.
-    let mut places: BTreeMap<u32, Vec<f64>> = BTreeMap::new();
-    let mut queue: Vec<(u32, f64)> = passages
-        .iter()
-        .flat_map(|p| [p.start, p.end])
-        .flat_map(|piece| [(piece.line, piece.from), (piece.line, piece.to)])
-        .collect();
-    let mut given: Vec<Vec<[f64; 2]>> = vec![vec![[0.0, 0.0], [1.0, 1.0]]; passages.len()];
-    while let Some((line, at)) = queue.pop() {
-        let known = places.entry(line).or_default();
-        if known.iter().any(|k| (k - at).abs() < SAME) {
-            continue;
-        }
-        known.push(at);
-        for (i, passage) in passages.iter().enumerate() {
-            for end in [End::Start, End::End] {
-                let piece = passage.piece(end);
-                let (low, high) = piece.range();
-                if piece.line != line || at < low + SAME || at > high - SAME {
-                    continue;
-                }
-                let share = piece.side_share(at);
-                let pair = match end {
-                    End::Start => [share, passage.function.at(share).0],
-                    End::End => [passage.function.inverse_at(share).0, share],
-                };
-                given[i].push(pair);
-                if given[i].len() > MOST_GIVEN {
-                    return Err(ThreadFault::Spiral { passage: i });
-                }
-                queue.push((passage.start.line, passage.start.line_share(pair[0])));
-                queue.push((passage.end.line, passage.end.line_share(pair[1])));
+/// and whatever corner or given thread comes in from a neighbour; and these threads themselves.
+fn given_threads(
+    passages: &[Passage<'_>],
+) -> Result<(Vec<Vec<[f64; 2]>>, Vec<Thread>), ThreadFault> {
+    // Corners in the order of passages; each place on a line is followed once.
+    let mut places: Vec<(u32, f64)> = Vec::new();
+    for piece in passages.iter().flat_map(|p| [p.start, p.end]) {
+        for at in [piece.from, piece.to] {
+            if !is_known(&places, piece.line, at) {
+                places.push((piece.line, at));
             }
+        }
+    }
+    let mut given: Vec<Vec<[f64; 2]>> = vec![vec![[0.0, 0.0], [1.0, 1.0]]; passages.len()];
+    let mut threads = Vec::new();
+    for (line, at) in places.clone() {
+        let mut thread = Thread {
+            line,
+            at,
+            walks: Vec::new(),
+        };
+        for hop in entries(passages, line, at) {
+            let mut walk = vec![hop];
+            let (mut hop, mut at) = (hop, at);
+            loop {
+                let (pair, next_line, next_at) = pass(passages, hop, at);
+                given[hop.passage].push(pair);
+                if given[hop.passage].len() > MOST_GIVEN {
+                    return Err(ThreadFault::Spiral {
+                        passage: hop.passage,
+                    });
+                }
+                // It ends where another given thread begins or passes already.
+                if is_known(&places, next_line, next_at) {
+                    break;
+                }
+                places.push((next_line, next_at));
+                let onward = entries(passages, next_line, next_at)
+                    .into_iter()
+                    .find(|next| next.passage != hop.passage);
+                let Some(next) = onward else { break };
+                walk.push(next);
+                (hop, at) = (next, next_at);
+            }
+            thread.walks.push(walk);
+        }
+        if !thread.walks.is_empty() {
+            threads.push(thread);
         }
     }
     for shares in &mut given {
         shares.sort_by(|a, b| a[0].total_cmp(&b[0]));
-        // A thread that was followed from both of its ends is met twice.
-        shares.dedup_by(|b, a| (b[0] - a[0]).abs() < 1e3 * SAME && b[0] < 1.0);
-        let last = shares.len() - 1;
-        if last > 1 && shares[last][0] - shares[last - 1][0] < 1e3 * SAME {
-            shares.remove(last - 1);
+    }
+    Ok((given, threads))
+}
+
+fn is_known(places: &[(u32, f64)], line: u32, at: f64) -> bool {
+    places
+        .iter()
+        .any(|&(l, known)| l == line && (known - at).abs() < SAME)
+}
+
+/// The passages that a place on a line lies strictly inside the side of, and by which end a thread
+/// enters them there.
+pub(super) fn entries(passages: &[Passage<'_>], line: u32, at: f64) -> Vec<Hop> {
+    let mut entries = Vec::new();
+    for (passage, p) in passages.iter().enumerate() {
+        for enter in [End::Start, End::End] {
+            let piece = p.piece(enter);
+            let (low, high) = piece.range();
+            if piece.line == line && at > low + SAME && at < high - SAME {
+                entries.push(Hop { passage, enter });
+            }
         }
     }
-    Ok(given)
+    entries
+}
+
+/// Crosses a passage from a place on a line: shares of its start and end side, and where on which
+/// line it comes out.
+fn pass(passages: &[Passage<'_>], hop: Hop, at: f64) -> ([f64; 2], u32, f64) {
+    let passage = &passages[hop.passage];
+    let share = passage.piece(hop.enter).side_share(at);
+    let (pair, out) = match hop.enter {
+        End::Start => ([share, passage.function.at(share).0], passage.end),
+        End::End => ([passage.function.inverse_at(share).0, share], passage.start),
+    };
+    let leave = if hop.enter == End::Start {
+        pair[1]
+    } else {
+        pair[0]
+    };
+    (pair, out.line, out.line_share(leave))
 }
 
 /// Joins stretches that meet on a line into lanes; returns their number.
@@ -379,7 +451,7 @@ mod tests {
             function: &g,
             count: Some(9),
         };
-        let lanes = lanes(&[first.clone(), second.clone()]).unwrap();
+        let lanes = lanes(&[first, second]).unwrap();
         assert_eq!(lanes.spaces, [8]);
         let uncounted = super::lanes(&[
             first,
@@ -461,6 +533,11 @@ mod tests {
         let lanes = lanes(&all).unwrap();
         assert_eq!(lanes.stretches[3].len(), 3);
         assert_eq!(lanes.stretches[3][2].lane, lanes.stretches[0][0].lane);
+        // Two corners stand in the long side, and the threads through them end at the far side
+        // of the passage below.
+        assert_eq!(lanes.given.len(), 2);
+        let hops: Vec<usize> = lanes.given[0].walks[0].iter().map(|h| h.passage).collect();
+        assert_eq!(hops, [0, 3]);
     }
 
     #[test]
