@@ -39,7 +39,7 @@ pub(crate) struct ProjectFile {
     pub(crate) project: Option<Field<ProjectSection>>,
     /// The design surface.
     pub(crate) surface: Field<SurfaceSection>,
-    /// Named anchors on the surface, at least four.
+    /// Named anchors on the surface; a patch needs four.
     pub(crate) points: Field<Named<Points, AnchorFile>>,
     /// Named geodesic quadrilaterals between anchors, at least one.
     pub(crate) patches: Field<Named<Patches, PatchFile>>,

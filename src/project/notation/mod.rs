@@ -10,6 +10,8 @@
 //! | text | string | string, bare identifier (`automatic`) |
 //! | absent | - | `None`; `Some(x)` is `x` |
 
+#[cfg(test)]
+mod oracle;
 mod ron;
 mod ron_scan;
 mod toml;
