@@ -70,14 +70,16 @@ fn base(
     materials: &Materials<'_>,
     sink: &mut Sink,
 ) -> Option<Lamella> {
-    let material = material(&lamella.material, &path.key("material"), materials, sink);
+    let reference = lamella.material.good();
+    material(&lamella.material, &path.key("material"), materials, sink);
     let base = Lamella {
         width: lamella.width.good()?.si,
         thickness: lamella.thickness.good()?.si,
-        material: material.unwrap_or_default(),
+        // Kept even if it is unknown: the checks of the section do not depend on it.
+        material: reference?.0.clone(),
     };
     thick(&base, path, path, sink);
-    lamella.material.good().map(|_| base)
+    Some(base)
 }
 
 fn overridden(

@@ -202,6 +202,10 @@ pub(super) fn unused(
     studies: Option<&[Study]>,
     sink: &mut Sink,
 ) {
+    // A misspelt name is reported as such, and would leave its material unused.
+    if sink.failed() {
+        return;
+    }
     let (Some(Some(table)), Some(all), Some(studies)) =
         (section(file.materials.as_ref()), lamellae.all(), studies)
     else {
