@@ -1,7 +1,6 @@
 //! The language: what a project file may say, in both notations, and what is told about one
 //! that is wrong.
 
-mod bless;
 mod corpus;
 mod files;
 mod mutations;
