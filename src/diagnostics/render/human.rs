@@ -150,7 +150,7 @@ fn is_drawable(found: &Found, text: &str) -> bool {
     // The line of the place itself and the one before and behind, which are context.
     for _ in 0..2 {
         let from = start.saturating_sub(LONGEST_LINE);
-        match bytes[from..start].iter().rposition(|byte| is_break(byte)) {
+        match bytes[from..start].iter().rposition(is_break) {
             Some(at) => start = from + at,
             None if from > 0 => return false,
             None => start = 0,
