@@ -230,7 +230,7 @@ pub enum SupportPlaces {
 }
 
 /// What a support is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SupportKind {
     /// A printed foot.
@@ -342,7 +342,7 @@ pub enum ColourPreset {
 }
 
 /// How a long lamella is joined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SpliceKind {
     /// In-plane fingers, cut and glued.
