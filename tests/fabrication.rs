@@ -227,7 +227,7 @@ fn told_of(diagnostics: &[Diagnostic]) -> String {
         .map(|d| {
             let mut lines = vec![format!("{}: {}", d.code, d.message)];
             lines.extend(d.labels.iter().map(|label| match &label.place {
-                Place::Key(key) => format!("  at {key}: {}", label.text),
+                Place::Key(key) | Place::Name(key) => format!("  at {key}: {}", label.text),
                 Place::Bytes { .. } => String::new(),
             }));
             lines.extend(d.notes.iter().map(|note| format!("  note: {note}")));
