@@ -64,7 +64,11 @@ fn no_schedule(fault: &ThreadFault) -> Failure {
         )
         .at_key(format!(".passages[{passage}]"), "through this patch")
         .help("let corners of neighbouring patches meet, instead of standing inside sides"),
-        ThreadFault::Counts { passage, own, others } => Diagnostic::error(
+        ThreadFault::Counts {
+            passage,
+            own,
+            others,
+        } => Diagnostic::error(
             codes::COUNTS,
             format!(
                 "the patch has {own} members, but the members of its neighbours and those through \
@@ -73,11 +77,12 @@ fn no_schedule(fault: &ThreadFault) -> Failure {
         )
         .at_key(format!(".passages[{passage}].count"), "this count")
         .help(format!("give it {others} members, or its neighbours fewer")),
-        ThreadFault::Uncounted { passage } => {
-            Diagnostic::error(codes::COUNTS, "nothing says how many members run through the patch")
-                .at_key(format!(".passages[{passage}].count"), "here")
-                .help("give `members` of this patch")
-        }
+        ThreadFault::Uncounted { passage } => Diagnostic::error(
+            codes::COUNTS,
+            "nothing says how many members run through the patch",
+        )
+        .at_key(format!(".passages[{passage}].count"), "here")
+        .help("give `members` of this patch"),
     }
     .into()
 }
@@ -107,8 +112,15 @@ pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Vec<Vec<Member>>
 };
 
 fn no_member(error: &WeaveError) -> Failure {
-    let RefineError::NoEqualLength { given, closest, difference } = error.why else {
-        let RefineError::Geodesic(why) = error.why else { return Failure::Errors(Vec::new()) };
+    let RefineError::NoEqualLength {
+        given,
+        closest,
+        difference,
+    } = error.why
+    else {
+        let RefineError::Geodesic(why) = error.why else {
+            return Failure::Errors(Vec::new());
+        };
         return no_geodesic(&why);
     };
     let side = match error.given {
