@@ -395,7 +395,7 @@ mod tests {
                     let mut offsets = curve.offsets;
                     offsets[i] += si * h;
                     offsets[j] += sj * h;
-                    Curve { offsets, a, b }.length(1.0)
+                    Curve { a, b, offsets }.length(1.0)
                 };
                 let gradient = nalgebra::SVector::<f64, MODES>::from_fn(|i, _| {
                     (shifted(i, i, 0.5, 0.5) - shifted(i, i, -0.5, -0.5)) / (2.0 * h)

@@ -90,7 +90,7 @@ impl Job {
             mesh: &self.mesh,
         };
         Ok(self.engine.plan(request, &|graph: &mut Graph<'_>| {
-            declare(graph, design, extent)
+            declare(graph, design, extent);
         }))
     }
 

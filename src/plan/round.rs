@@ -166,7 +166,7 @@ mod tests {
     fn numbers_are_written_shortest_after_rounding() {
         let record = Record {
             length: 0.1 + 0.2,
-            polyline: vec![[-1e-12, 1.0 / 3.0, 12345.678_912_345_678]],
+            polyline: vec![[-1e-12, 1.0 / 3.0, 12_345.678_912_345_678]],
             bend: Some(-0.001_234_567_89),
         };
         let text = ron::to_string(&record).unwrap();
