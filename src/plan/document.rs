@@ -3,7 +3,7 @@
 //! Lengths in metres, angles in degrees, masses in kilograms. Numbers keep full precision here
 //! and are rounded only when written.
 
-use super::round;
+use super::{openings, round};
 use crate::diagnostics::Diagnostic;
 use crate::project::model::{Family, SpliceKind, SupportKind};
 use schemars::JsonSchema;
@@ -326,6 +326,8 @@ pub struct LamellaRecord {
     #[serde(serialize_with = "round::kilograms")]
     pub mass: f64,
     /// Sorted along the lamella.
+    #[serde(with = "openings")]
+    #[schemars(with = "Vec<OpeningRecord>")]
     pub openings: Vec<OpeningRecord>,
     /// Pieces that are joined, from the start to the end; none for a lamella in one piece.
     pub pieces: Vec<PieceRecord>,
