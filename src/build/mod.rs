@@ -1,14 +1,18 @@
 //! The incremental engine.
 
+mod building;
 mod clock;
 mod declare;
 mod engine;
 mod event;
+mod explain;
+mod export;
 mod key;
 mod location;
 mod needs;
 mod plan;
 mod publish;
+mod publishing;
 mod reason;
 mod request;
 mod session;
@@ -17,10 +21,13 @@ mod stage;
 mod stamp;
 mod store;
 
+pub use building::Built;
 pub use clock::Clock;
 pub use declare::{Graph, Instance};
-pub use engine::{Built, Engine, Settings};
+pub use engine::{Engine, Settings};
 pub use event::{Event, How, Tally};
+pub use explain::{Cause, Explanation, Influence};
+pub use export::{dot, json};
 pub use key::{Digest, canon, recipe};
 pub use location::{CacheNames, cache_directory};
 pub use needs::{Attempt, Needs, Node, Ports, Supply, Warnings};

@@ -2,4 +2,7 @@
 
 mod incremental;
 mod project;
+mod properties;
+mod publishing;
+mod trouble;
 mod workshop;

@@ -12,10 +12,13 @@
 //!
 //! An instance has a key as soon as all its dependencies have results, by look-up or by running.
 
+mod ended;
 mod estimate;
 mod execute;
+mod explain;
 mod outcome;
 mod planning;
+mod selection;
 mod settle;
 mod why;
 mod worker;
@@ -35,7 +38,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-pub(super) use execute::{Conditions, unwritable};
+pub(super) use ended::unwritable;
+pub(super) use execute::Conditions;
 pub use outcome::BuiltStage;
 pub(super) use outcome::{Kept, Publisher, retire};
 pub(super) use settle::damage_notice;
