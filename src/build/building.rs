@@ -164,7 +164,7 @@ impl Engine {
         }
         self.worktree.directory = self.settings.output.display().to_string();
         self.store
-            .put_worktree(&self.settings.output, &self.worktree)
+            .put_worktree(&self.settings.output, &self.worktree, now)
             .err()
             .map(|error| unwritable(&error.to_string()))
     }

@@ -123,7 +123,7 @@ impl Store {
 
     /// Whether the output can be read, as far as can be told without reading it.
     pub(crate) fn holds(&self, output: &Output) -> bool {
-        output.inline.is_some() || self.entry(Kind::Blob, output.digest).is_file()
+        output.inline.is_some() || self.entry(Kind::Blob, output.digest).exists()
     }
 
     pub(crate) fn put_trace(&self, trace: &Trace, durability: Durability) -> io::Result<()> {

@@ -107,15 +107,17 @@ impl Store {
         }
     }
 
-    pub(crate) fn put_worktree(&self, directory: &Path, worktree: &Worktree) -> io::Result<()> {
+    /// Keeps the record, in use since `now`.
+    pub(crate) fn put_worktree(
+        &self,
+        directory: &Path,
+        worktree: &Worktree,
+        now: SystemTime,
+    ) -> io::Result<()> {
         let payload = postcard::to_stdvec(worktree).map_err(io::Error::other)?;
-        self.write(
-            &self.worktree_path(directory),
-            WORKTREE,
-            &payload,
-            Durability::Process,
-        )?;
-        Ok(())
+        let path = self.worktree_path(directory);
+        self.write(&path, WORKTREE, &payload, Durability::Process)?;
+        File::options().append(true).open(path)?.set_modified(now)
     }
 
     /// Says that everything the record lists is in use, once an hour.
