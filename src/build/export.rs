@@ -1,6 +1,7 @@
 //! The graph for other programs: Graphviz and JSON.
 
 use super::declare::Instance;
+use super::key::Digest;
 use super::plan::{Plan, State};
 use serde_json::json;
 use std::collections::BTreeMap;
@@ -60,7 +61,7 @@ pub fn json(plan: &Plan) -> String {
                 "reasons": reasons,
                 "needs": needs,
                 "publishes": stage.publishes,
-                "key": stage.key.map(|key| key.to_hex()),
+                "key": stage.key.map(Digest::to_hex),
                 "seconds": stage.estimate.map(|estimate| estimate.as_secs_f64()),
             })
         })

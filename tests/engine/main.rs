@@ -1,5 +1,7 @@
 //! The incremental engine, on made-up stages: what runs, what is published, what survives.
 
+mod cache;
+mod explaining;
 mod faults;
 mod incremental;
 mod processes;

@@ -224,7 +224,7 @@ pub(crate) const SUMMARY: Stage<(), Node<Vec<f64>>, Summary> = Stage {
     },
 };
 
-pub(crate) const DRAWING: Stage<(String, f64), (Node<Vec<f64>>, Node<f64>), Files> = Stage {
+pub(crate) const DRAWING: Stage<(String, f64), (Values, Node<f64>), Files> = Stage {
     name: "drawing",
     version: 1,
     numerics: Numerics::Portable,
@@ -281,10 +281,11 @@ pub(crate) const BOM: Stage<f64, Vec<Node<Summary>>, Files> = Stage {
     version: 1,
     numerics: Numerics::Portable,
     run: |price, summaries, _| {
-        let text: String = summaries
-            .iter()
-            .map(|one| format!("{};{};{}\n", one.members, one.metres, price))
+        let rows = summaries.iter();
+        let rows: Vec<String> = rows
+            .map(|one| format!("{};{};{price}\n", one.members, one.metres))
             .collect();
+        let text = rows.concat();
         Ok(plain(Files::new().with("bom.csv", text)))
     },
 };

@@ -130,8 +130,7 @@ proptest! {
     #[test]
     fn incremental_bytes_are_clean_bytes(edits in edits()) {
         let workshop = Workshop::new();
-        let mut design = Design::default();
-        design.size = 300;
+        let mut design = Design { size: 300, ..Design::default() };
         let mut history = vec![design.clone()];
         workshop.build(&design);
         for edit in &edits {

@@ -250,15 +250,15 @@ fn an_edited_file_that_is_no_longer_made_stays() {
 
 #[test]
 fn outputs_that_exclude_each_other_are_errors() {
-    let cases: [(&[&[(&str, &str)]], &str); 3] = [
-        (&[&[("a.txt", "x")], &[("A.TXT", "y")]], "E0812"),
-        (&[&[("a", "x"), ("a/b", "y")]], "E0812"),
-        (&[&[("a.txt", "x"), ("a.txt", "x")]], "E0812"),
+    let cases: [&[&[(&str, &str)]]; 3] = [
+        &[&[("a.txt", "x")], &[("A.TXT", "y")]],
+        &[&[("a", "x"), ("a/b", "y")]],
+        &[&[("a.txt", "x"), ("a.txt", "x")]],
     ];
-    for (lists, code) in cases {
+    for lists in cases {
         let workshop = Workshop::new();
         let built = publish(&workshop, &Request::default(), lists);
-        assert_eq!(codes(&built), [code], "{lists:?}");
+        assert_eq!(codes(&built), ["E0812"], "{lists:?}");
         assert!(built.publication.written.is_empty());
     }
 }

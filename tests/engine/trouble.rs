@@ -19,6 +19,7 @@ fn how(built: &Built) -> Vec<How> {
     built.stages.iter().map(|stage| stage.how).collect()
 }
 
+#[allow(clippy::unnecessary_wraps, reason = "it ends stages, which can fail")]
 fn plain<T>(value: T) -> Result<Warned<T>, Failure> {
     Ok(Warned {
         value,
@@ -189,7 +190,8 @@ fn instances_with_one_key_run_once() {
 
 #[test]
 fn spreading_dependencies_differently_gives_another_key() {
-    const SPREAD: Stage<(), (Vec<Node<u32>>, Vec<Node<u32>>), Vec<usize>> = Stage {
+    type Nodes = Vec<Node<u32>>;
+    const SPREAD: Stage<(), (Nodes, Nodes), Vec<usize>> = Stage {
         name: "spread",
         version: 1,
         numerics: Numerics::Portable,
@@ -374,8 +376,10 @@ fn stopping_keeps_what_is_finished_and_publishes_nothing() {
 #[test]
 fn events_tell_every_run_with_its_progress_and_the_time_left() {
     let workshop = Workshop::new();
-    let mut design = Design::default();
-    design.millis = 150;
+    let mut design = Design {
+        millis: 150,
+        ..Design::default()
+    };
     workshop.build(&design);
     design.mesh[0] = 9.0;
     let (mut started, mut ended, mut progress, mut times) = (0, 0, 0, Vec::new());

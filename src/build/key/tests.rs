@@ -49,6 +49,15 @@ fn sample() -> Sample {
     }
 }
 
+/// A map whose order is an accident.
+struct Unordered;
+
+impl Serialize for Unordered {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map([("b", 1), ("a", 2)])
+    }
+}
+
 fn encoded<T: Serialize + ?Sized>(value: &T) -> Vec<u8> {
     let mut out = Vec::new();
     encode(value, &mut out).expect("an encoding");
@@ -86,7 +95,10 @@ fn the_encoding_is_the_one_that_the_table_says() {
 #[test]
 fn keys_are_the_same_for_ever() {
     let input = encoded(&sample());
-    assert_eq!(Digest::of(&input).to_hex(), "f0104055bf29bf41586b1052cf1dff44526c49610fbf1b6753d181b7ba39fe2a");
+    assert_eq!(
+        Digest::of(&input).to_hex(),
+        "f0104055bf29bf41586b1052cf1dff44526c49610fbf1b6753d181b7ba39fe2a"
+    );
     let parts = KeyParts {
         stage: "cladding",
         version: 3,
@@ -100,7 +112,10 @@ fn keys_are_the_same_for_ever() {
             (PortKind::Attempt, Digest::of(b"three")),
         ],
     };
-    assert_eq!(parts.digest().to_hex(), "a88584b2074ede34b435759c07b8a7f6800f7a23f45b168469d0579a27dc4345");
+    assert_eq!(
+        parts.digest().to_hex(),
+        "a88584b2074ede34b435759c07b8a7f6800f7a23f45b168469d0579a27dc4345"
+    );
 }
 
 #[test]
@@ -214,12 +229,6 @@ fn values_without_one_encoding_are_refused_with_their_place() {
         error(&BTreeMap::from([([1_u8, 2], 3)])),
         "a map key that is neither string nor integer"
     );
-    struct Unordered;
-    impl Serialize for Unordered {
-        fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-            serializer.collect_map([("b", 1), ("a", 2)])
-        }
-    }
     assert_eq!(error(&Unordered), "map keys are not in ascending order");
     let numbers: BTreeMap<u64, u8> = [(2, 0), (300, 1)].into();
     encoded(&numbers);

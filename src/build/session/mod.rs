@@ -51,7 +51,7 @@ pub(super) struct Session<'p, 's> {
     build_id: Option<&'s str>,
     request: &'s Request,
     graph: Graph<'p>,
-    entries: Vec<Entry>,
+    entries: Vec<Entry<'s>>,
     names: HashMap<Arc<super::declare::Instance>, usize>,
     /// Results known to the last build, by key.
     recorded: HashMap<Digest, usize>,
@@ -77,8 +77,10 @@ pub(super) struct Session<'p, 's> {
 }
 
 /// One instance.
-struct Entry {
+struct Entry<'s> {
     status: Status,
+    /// The instance as the last build knew it.
+    record: Option<&'s InstanceRecord>,
     wanted: bool,
     key: Option<Digest>,
     head: Option<Arc<Head>>,
@@ -129,7 +131,7 @@ impl Status {
     }
 }
 
-impl Entry {
+impl Entry<'_> {
     /// How it ended, if it has.
     fn how(&self) -> Option<How> {
         Some(match self.status {
@@ -211,10 +213,7 @@ impl<'p, 's> Session<'p, 's> {
             for &need in &needs {
                 self.entries[need].dependents.push(index);
             }
-            let estimate = self
-                .worktree
-                .instance(&declared.instance)
-                .map(|record| record.head.duration());
+            let record = self.worktree.instance(&declared.instance);
             self.entries.push(Entry {
                 status: Status::Waiting,
                 wanted: false,
@@ -227,7 +226,8 @@ impl<'p, 's> Session<'p, 's> {
                 dependents: Vec::new(),
                 open_dependents: 0,
                 ran: None,
-                estimate,
+                record,
+                estimate: record.map(|record| record.head.duration()),
                 urgency: Duration::ZERO,
             });
             let twin = self.names.insert(declared.instance.clone(), index);
@@ -271,11 +271,6 @@ impl<'p, 's> Session<'p, 's> {
 
     fn declared(&self, index: usize) -> &Declared {
         &self.graph.nodes[index]
-    }
-
-    /// The instance as the last build knew it.
-    fn record(&self, index: usize) -> Option<&'s InstanceRecord> {
-        self.worktree.instance(&self.graph.nodes[index].instance)
     }
 
     /// What came through a port, as far as keys go. `None` while it is not known.

@@ -178,8 +178,7 @@ impl Session<'_, '_> {
             ) else {
                 continue;
             };
-            let instance = &self.declared(index).instance;
-            let old = self.worktree.instance(instance);
+            let old = entry.record;
             news |= old.is_none_or(|old| old.key != key || old.head != **head);
             met += usize::from(old.is_some());
             records.push((index, key, head));
@@ -218,7 +217,7 @@ impl Session<'_, '_> {
 
     /// Why the instance's result is what it is: the reasons of the build in which it changed last.
     fn changed_by(&self, index: usize, head: &Head) -> Vec<Reason> {
-        match self.record(index) {
+        match self.entries[index].record {
             Some(old) if old.head.digest() == head.digest() => old.changed_by.clone(),
             _ if !self.entries[index].reasons.is_empty() => self.entries[index].reasons.clone(),
             _ => self.why(index),

@@ -65,7 +65,7 @@ impl Session<'_, '_> {
 
     /// Whether the instance has another key than in the last build.
     pub(super) fn has_moved(&self, index: usize) -> bool {
-        self.record(index).map(|record| record.key) != self.entries[index].key
+        self.entries[index].record.map(|record| record.key) != self.entries[index].key
     }
 
     /// What may follow where the graph is not unfolded yet, going by the last build.

@@ -52,7 +52,7 @@ impl Session<'_, '_> {
     }
 
     fn changes(&self, index: usize, dependencies: Dependencies) -> Vec<Reason> {
-        let Some(record) = self.record(index) else {
+        let Some(record) = self.entries[index].record else {
             return vec![Reason::FirstBuild];
         };
         let Found::Whole(old) = self.store.trace(record.key) else {
