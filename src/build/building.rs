@@ -6,13 +6,12 @@ use super::event::{Event, How};
 use super::needs::Needs;
 use super::publish::Publication;
 use super::request::Request;
-use super::session::{BuiltStage, Conditions, Kept, retire, unwritable};
+use super::session::{BuiltStage, Conditions, Kept, Known, retire, unwritable};
 use super::stage::{CancelToken, Stage};
 use super::store::Store;
 use super::store::collect::Collected;
 use super::store::worktree::{InstanceRecord, Outputs};
 use crate::diagnostics::{Code, Diagnostic, Severity};
-use std::collections::BTreeMap;
 use std::sync::Arc;
 
 /// What a build did.
@@ -83,7 +82,7 @@ impl Engine {
             cancel: cancel.clone(),
         };
         let mut diagnostics = std::mem::take(&mut self.notices);
-        let mut session = self.session(request, BTreeMap::new(), declare);
+        let mut session = self.session(request, Known::default(), declare);
         observe(Event::Planned {
             tally: session.tally(conditions.jobs, &[]),
         });
@@ -99,7 +98,7 @@ impl Engine {
                 break published;
             }
             diagnostics.extend(session.take_notices());
-            session = self.session(request, session.into_results(), declare);
+            session = self.session(request, session.into_known(), declare);
             passes += 1;
         };
         let cancelled = cancel.is_cancelled() && !session.is_complete();

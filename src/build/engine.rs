@@ -2,19 +2,16 @@
 
 use super::clock::Clock;
 use super::declare::Graph;
-use super::key::Digest;
 use super::plan::Plan;
 use super::publish::{compare, inspect};
 use super::request::Request;
-use super::session::{Session, damage_notice};
+use super::session::{Known, Session, damage_notice};
 use super::source::SourceFile;
 use super::stamp::Stamp;
 use super::store::Store;
 use super::store::collect::Limits;
-use super::store::trace::Head;
 use super::store::worktree::{PublicationRecord, SourceRecord, Worktree};
 use crate::diagnostics::Diagnostic;
-use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -129,7 +126,7 @@ impl Engine {
         request: &'s Request,
         declare: &dyn Fn(&mut Graph<'p>),
     ) -> (Plan, Session<'p, 's>) {
-        let mut session = self.session(request, BTreeMap::new(), declare);
+        let mut session = self.session(request, Known::default(), declare);
         let directory = &self.settings.output;
         let mut reasons = Vec::new();
         for publisher in session.publishers() {
@@ -173,7 +170,7 @@ impl Engine {
     pub(super) fn session<'p, 's>(
         &'s self,
         request: &'s Request,
-        results: BTreeMap<Digest, Arc<Head>>,
+        known: Known,
         declare: &dyn Fn(&mut Graph<'p>),
     ) -> Session<'p, 's> {
         Session::open(
@@ -181,7 +178,7 @@ impl Engine {
             &self.worktree,
             self.settings.build_id.as_deref(),
             request,
-            results,
+            known,
             declare,
         )
     }

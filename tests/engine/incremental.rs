@@ -35,6 +35,20 @@ fn a_second_build_runs_nothing_and_writes_nothing() {
 }
 
 #[test]
+fn a_build_with_nothing_to_do_opens_no_result() {
+    let workshop = Workshop::new();
+    let mut design = Design::default();
+    design.patches[0].members = 21;
+    let first = workshop.build(&design);
+    std::fs::remove_dir_all(workshop.settings.cache.join("v1/blobs")).expect("removed");
+    std::fs::remove_dir_all(workshop.settings.cache.join("v1/traces")).expect("removed");
+    let second = workshop.build(&design);
+    assert_eq!(second.count(How::Cached), ALL);
+    assert_eq!(second.diagnostics, first.diagnostics);
+    assert_eq!(second.diagnostics.len(), 1, "its warning is told as well");
+}
+
+#[test]
 fn each_edit_runs_exactly_what_depends_on_it() {
     type Edit = fn(&mut Design);
     let edits: [(&str, Edit, &[&str]); 10] = [

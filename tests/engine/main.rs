@@ -3,10 +3,12 @@
 mod cache;
 mod explaining;
 mod faults;
+mod graphs;
 mod incremental;
 mod processes;
 mod project;
 mod properties;
 mod publishing;
+mod sources;
 mod trouble;
 mod workshop;

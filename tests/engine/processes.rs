@@ -266,13 +266,7 @@ fn a_full_disk_stops_neither_the_build_nor_the_cache() {
     std::fs::create_dir(&cache).expect("made");
     // 400 kB for the cache, of 1.1 MB that the results take.
     let script = "mount -t tmpfs -o size=400k tmpfs \"$EGG_TEST_CACHE\" && \"$@\" && \"$@\"";
-    let program = child(&cache, &output, &design);
-    let mut command = Command::new("unshare");
-    command.args(["-rm", "sh", "-c", script, "sh"]);
-    command.arg(program.get_program()).args(program.get_args());
-    for (key, value) in program.get_envs() {
-        command.env(key, value.expect("set"));
-    }
+    let mut command = confined(script, &child(&cache, &output, &design));
     let end = command.output().expect("ran");
     assert_eq!(lines(&end, "succeeded"), ["true", "true"], "{end:?}");
     assert!(lines(&end, "told").iter().all(|code| code == "W0802"));
@@ -294,13 +288,7 @@ fn a_read_only_cache_is_read_and_left_alone() {
     let before = files(cache);
     let script = "mount --bind \"$EGG_TEST_CACHE\" \"$EGG_TEST_CACHE\" && \
                   mount -o remount,ro,bind \"$EGG_TEST_CACHE\" && \"$@\"";
-    let program = child(cache, &output, &design);
-    let mut command = Command::new("unshare");
-    command.args(["-rm", "sh", "-c", script, "sh"]);
-    command.arg(program.get_program()).args(program.get_args());
-    for (key, value) in program.get_envs() {
-        command.env(key, value.expect("set"));
-    }
+    let mut command = confined(script, &child(cache, &output, &design));
     let end = command.output().expect("ran");
     assert_eq!(lines(&end, "succeeded"), ["true"], "{end:?}");
     assert_eq!(lines(&end, "told"), ["W0802"]);
@@ -311,7 +299,54 @@ fn a_read_only_cache_is_read_and_left_alone() {
     assert_eq!(files(cache), before);
 }
 
-/// Whether this user can have a mount of its own. Where not, the two tests above have nothing to
+#[test]
+fn a_full_output_directory_is_an_error_and_harms_no_file() {
+    if !namespaces() {
+        return;
+    }
+    let workshop = Workshop::new();
+    let small = Design::with_patches(2);
+    let mut large = Design::with_patches(2);
+    large.mesh[1] = 7.0;
+    large.patches[0].members = 2000;
+    large.patches[1].members = 2000;
+    let output = workshop.path().join("out");
+    let kept = workshop.path().join("kept");
+    std::fs::create_dir(&output).expect("made");
+    let cache = &workshop.settings.cache;
+    let first = child(cache, &output, &small);
+    let script = "mount -t tmpfs -o size=64k tmpfs \"$EGG_TEST_OUTPUT\" && \"$@\" && \
+                  EGG_TEST_DESIGN=\"$EGG_TEST_LARGE\" \"$@\" && \
+                  cp -a \"$EGG_TEST_OUTPUT\" \"$EGG_TEST_KEPT\"";
+    let mut command = confined(script, &first);
+    command.env("EGG_TEST_KEPT", &kept);
+    command.env(
+        "EGG_TEST_LARGE",
+        ron::to_string(&large).expect("plain data"),
+    );
+    let end = command.output().expect("ran");
+    assert_eq!(lines(&end, "succeeded"), ["true", "false"], "{end:?}");
+    assert!(lines(&end, "told").contains(&"E0814".to_owned()));
+    let (small, large) = (clean(&small), clean(&large));
+    for (name, bytes) in files(&kept) {
+        let whole = small.get(&name) == Some(&bytes) || large.get(&name) == Some(&bytes);
+        assert!(whole || name == MANIFEST, "{name} of {} bytes", bytes.len());
+    }
+}
+
+/// A command in a mount namespace of its own, where `script` mounts what it likes and then runs
+/// `"$@"`.
+fn confined(script: &str, program: &Command) -> Command {
+    let mut command = Command::new("unshare");
+    command.args(["-rm", "sh", "-c", script, "sh"]);
+    command.arg(program.get_program()).args(program.get_args());
+    for (key, value) in program.get_envs() {
+        command.env(key, value.expect("set"));
+    }
+    command
+}
+
+/// Whether this user can have a mount of its own. Where not, the tests above have nothing to
 /// stand on; `faults` has their like with directories that cannot be written by anybody.
 fn namespaces() -> bool {
     let tried = Command::new("unshare").args(["-rm", "true"]).output();

@@ -53,7 +53,8 @@ const FAIL: Stage<u32, (), u32> = Stage {
             "for now",
         )])),
         3 => panic!("on purpose"),
-        _ => Err(Failure::Cancelled),
+        4 => Err(Failure::Cancelled),
+        _ => Err(Failure::Errors(vec![])),
     },
 };
 
@@ -82,8 +83,13 @@ fn every_way_to_fail_skips_what_depends_on_it_and_nothing_else() {
         ),
         (
             4,
-            [How::Stopped, How::Skipped, How::Skipped],
-            [How::Stopped, How::Skipped, How::Skipped],
+            [How::Failed, How::Skipped, How::Skipped],
+            [How::Failed, How::Skipped, How::Skipped],
+        ),
+        (
+            5,
+            [How::Failed, How::Skipped, How::Ran],
+            [How::FailedCached, How::Skipped, How::Cached],
         ),
     ];
     for (way, first, second) in expected {
@@ -93,7 +99,13 @@ fn every_way_to_fail_skips_what_depends_on_it_and_nothing_else() {
             g.add(&DOUBLE, "", (), value);
             g.add(&TRY, "", (), value.attempt());
         };
-        assert_eq!(how(&build(&workshop, &declare)), first, "{way}");
+        let built = build(&workshop, &declare);
+        assert_eq!(how(&built), first, "{way}");
+        assert_eq!(
+            built.diagnostics.is_empty(),
+            way == 0,
+            "no failure is silent"
+        );
         assert_eq!(how(&build(&workshop, &declare)), second, "{way}");
     }
 }

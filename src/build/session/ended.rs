@@ -6,7 +6,7 @@ use super::super::store::Found;
 use super::super::store::trace::Head;
 use super::execute::Running;
 use super::worker::{Ending, Lost};
-use super::{Session, Status};
+use super::{PANICKED, Session, Status, internal};
 use crate::diagnostics::{Code, Diagnostic};
 
 impl Session<'_, '_> {
@@ -40,7 +40,15 @@ impl Session<'_, '_> {
                 self.entries[index].head = None;
                 self.finish(index, Status::Failed);
             }
-            Ending::Cancelled => self.finish(index, Status::Stopped),
+            Ending::Cancelled if running.context.check().is_err() => {
+                self.finish(index, Status::Stopped);
+            }
+            Ending::Cancelled => {
+                let what = format!("`{}` stopped by itself", self.declared(index).instance);
+                self.entries[index].told.push(internal(PANICKED, what));
+                self.entries[index].head = None;
+                self.finish(index, Status::Failed);
+            }
             Ending::Lacking(lacking) => {
                 self.entries[index].status = Status::Due;
                 self.due.insert(index);

@@ -54,7 +54,7 @@ struct Execution<'c> {
 /// An instance that runs.
 pub(super) struct Running {
     pub(super) key: Digest,
-    context: Arc<Context>,
+    pub(super) context: Arc<Context>,
     /// What the context said when it was last asked.
     progress: (u64, u64),
     /// Instances with the same key: they take its result.

@@ -76,6 +76,13 @@ pub(super) struct Session<'p, 's> {
     scratch: Vec<u8>,
 }
 
+/// What one pass hands on to another over the same graph.
+#[derive(Default)]
+pub(super) struct Known {
+    results: BTreeMap<Digest, Arc<Head>>,
+    forced: BTreeSet<Digest>,
+}
+
 /// One instance.
 struct Entry<'s> {
     status: Status,
@@ -165,7 +172,7 @@ impl<'p, 's> Session<'p, 's> {
         worktree: &'s Worktree,
         build_id: Option<&'s str>,
         request: &'s Request,
-        results: BTreeMap<Digest, Arc<Head>>,
+        known: Known,
         declare: &dyn Fn(&mut Graph<'p>),
     ) -> Self {
         let recorded = worktree
@@ -185,9 +192,9 @@ impl<'p, 's> Session<'p, 's> {
             entries: Vec::new(),
             names: HashMap::new(),
             recorded,
-            results,
+            results: known.results,
             agenda: BTreeSet::new(),
-            forced: BTreeSet::new(),
+            forced: known.forced,
             notices: Vec::new(),
             memory_only: false,
             unsettled: false,
@@ -327,3 +334,4 @@ const PANICKED: &str = "E0801";
 const NOT_CANONICAL: &str = "E0802";
 const DUPLICATE: &str = "E0803";
 const NOT_ENCODABLE: &str = "E0804";
+const SILENT: &str = "E0806";

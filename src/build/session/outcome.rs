@@ -10,9 +10,9 @@ use super::super::store::trace::Head;
 use super::super::store::worktree::{InstanceRecord, Worktree};
 use super::super::store::{Kind, Store};
 use super::worker::load;
-use super::{Session, Slot, Status};
+use super::{Known, Session, Slot, Status};
 use crate::diagnostics::Diagnostic;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
@@ -58,8 +58,11 @@ impl Session<'_, '_> {
     }
 
     /// What is known by now, for another pass over the same graph.
-    pub(in crate::build) fn into_results(self) -> BTreeMap<Digest, Arc<Head>> {
-        self.results
+    pub(in crate::build) fn into_known(self) -> Known {
+        Known {
+            results: self.results,
+            forced: self.forced,
+        }
     }
 
     /// Whether nothing more has to run.

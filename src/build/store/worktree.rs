@@ -48,7 +48,7 @@ pub(crate) struct InstanceRecord {
 pub(crate) struct Outputs {
     /// The manifest's stamp.
     pub(crate) manifest: Option<Stamp>,
-    /// One record an instance that publishes.
+    /// One record an instance that publishes, sorted by its name.
     pub(crate) publications: Vec<PublicationRecord>,
 }
 
@@ -89,10 +89,11 @@ impl Worktree {
 
     /// The record of what `owner` published.
     pub(crate) fn publication(&self, owner: &Instance) -> Option<&PublicationRecord> {
-        self.outputs
-            .publications
-            .iter()
-            .find(|publication| publication.owner == *owner)
+        let publications = &self.outputs.publications;
+        let index = publications
+            .binary_search_by(|publication| publication.owner.cmp(owner))
+            .ok()?;
+        publications.get(index)
     }
 }
 
