@@ -128,6 +128,6 @@ pub use request::{Force, Foreign, OutputCheck, Request};
 pub use session::BuiltStage;
 pub use source::SourceFile;
 pub use stage::{CancelToken, Cancelled, Context, Failure, Numerics, Outcome, Stage};
-pub use store::collect::{Collected, Limits, Mode};
+pub use store::collect::{Collected, Limits, Mode, Tally as CacheTally};
 pub use store::inspect::{Cleaned, Status, Verified, WorktreeStatus};
 pub use store::{Damage, Kind, Store};

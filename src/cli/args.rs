@@ -102,10 +102,32 @@ pub(super) enum Command {
         #[arg(value_enum)]
         of: SchemaOf,
     },
-    /// Explain a diagnostic code
+    /// Explain a diagnostic, or why an output is as it is
     Explain {
-        /// A code such as E0503, or the name of a lint
-        code: String,
+        /// A code such as E0503 or the name of a lint; or [FILE] and an output such as
+        /// `fabrication/NAME.dxf` or a stage such as `cladding west`
+        #[arg(required = true, num_args = 1..=2, value_name = "WHAT")]
+        what: Vec<String>,
+    },
+    /// Print the dependency graph
+    Graph {
+        #[command(flatten)]
+        file: ProjectFile,
+        /// Notation of the graph
+        #[arg(long, value_enum, default_value_t)]
+        format: GraphFormat,
+    },
+    /// Build whenever the project file or its mesh is saved
+    Watch {
+        #[command(flatten)]
+        file: ProjectFile,
+        #[command(flatten)]
+        selection: Selection,
+    },
+    /// Look after the cache of results
+    Cache {
+        #[command(subcommand)]
+        command: CacheCommand,
     },
     /// List the built-in materials with their sources
     Materials,
@@ -139,6 +161,44 @@ pub(super) enum PlanFormat {
     #[default]
     Json,
     Ron,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum GraphFormat {
+    /// Graphviz
+    #[default]
+    Dot,
+    Json,
+}
+
+#[derive(Debug, Subcommand)]
+pub(super) enum CacheCommand {
+    /// What is in the cache
+    Status,
+    /// Read everything and set damaged files aside
+    Verify {
+        /// Only tell
+        #[arg(long)]
+        dry_run: bool,
+    },
+    /// Remove what was not used for long, and what is too much
+    Gc {
+        /// Only tell
+        #[arg(long)]
+        dry_run: bool,
+        /// Megabytes to keep
+        #[arg(long, value_name = "MB")]
+        max_size: Option<u64>,
+        /// Days to keep
+        #[arg(long, value_name = "DAYS")]
+        max_age: Option<u32>,
+    },
+    /// Remove everything
+    Clean {
+        /// Only tell
+        #[arg(long)]
+        dry_run: bool,
+    },
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]

@@ -12,7 +12,8 @@ const UNREADABLE_MESH: Code = Code::new("E0901");
 const OUTSIDE: Code = Code::new("E0902");
 
 /// What the pipeline does beyond cutting lamellae from patches as they stand.
-const BUILT: [Capability; 3] = [
+const BUILT: [Capability; 4] = [
+    Capability::SeveralPatches,
     Capability::Shells,
     Capability::KerfCompensation,
     Capability::Costs,
@@ -32,10 +33,7 @@ pub(super) struct Opened {
 impl Opened {
     /// Finds and reads a project file and tells what is wrong with it.
     pub(super) fn open(console: Console, given: Option<&Path>) -> Result<Self, Exit> {
-        let path = match given {
-            Some(path) => path.to_owned(),
-            None => find(console)?,
-        };
+        let path = locate(console, given)?;
         let notation = match path.extension().and_then(|e| e.to_str()) {
             Some("ron") => Notation::Ron,
             Some("toml") => Notation::Toml,
@@ -82,6 +80,14 @@ impl Opened {
     /// The model, or the end of the command when there are errors.
     pub(super) fn project(&self) -> Result<&Project, Exit> {
         self.loaded.project.as_ref().ok_or(Exit::Errors)
+    }
+
+    /// Where a key stands, for people: `pavilion.toml:31`.
+    pub(super) fn place_of(&self, key: &str) -> Option<String> {
+        let start = self.loaded.spans.value(key).start;
+        let before = self.text.get(..start)?;
+        let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
+        Some(format!("{}:{line}", self.path.display()))
     }
 
     /// The folder of the project file.
@@ -188,6 +194,14 @@ impl Opened {
 /// Whether any of these is an error.
 pub(super) fn has_errors(diagnostics: &[Diagnostic]) -> bool {
     diagnostics.iter().any(|d| d.severity == Severity::Error)
+}
+
+/// The project file that was named, or the one of the current folder.
+pub(super) fn locate(console: Console, given: Option<&Path>) -> Result<PathBuf, Exit> {
+    match given {
+        Some(path) => Ok(path.to_owned()),
+        None => find(console),
+    }
 }
 
 /// The one project file of the current folder.

@@ -6,12 +6,13 @@ mod commands;
 mod console;
 mod design;
 mod exit;
+mod interrupt;
 mod progress;
 mod run;
 
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
-use commands::{build, check, explain, export, init, materials, schema};
+use commands::{build, cache, check, explain, export, graph, init, materials, schema, watch};
 use console::Console;
 use exit::Exit;
 use std::process::ExitCode;
@@ -70,7 +71,15 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
             schema::run(of);
             Ok(Exit::Done)
         }
-        Command::Explain { code } => Ok(explain::run(console, &code)),
+        Command::Explain { what } => explain::run(console, &global, &what),
+        Command::Graph { file, format } => {
+            graph::run(console, &global, file.path.as_deref(), format)
+        }
+        Command::Watch { file, selection } => {
+            let request = build::request(&selection, false);
+            watch::run(console, &global, file.path.as_deref(), &request)
+        }
+        Command::Cache { command } => cache::run(console, &global, &command),
         Command::Materials => {
             materials::run(console);
             Ok(Exit::Done)

@@ -1,14 +1,14 @@
 //! Running the engine for a command.
 
 use super::args::Global;
+use super::commands::cache;
 use super::console::Console;
 use super::design::{Opened, has_errors};
 use super::exit::Exit;
+use super::interrupt;
 use super::progress::Progress;
 use crate::build::graph::{Design, Extent, declare};
-use crate::build::{
-    Built, CacheNames, CancelToken, Engine, Graph, Request, Settings, SourceFile, cache_directory,
-};
+use crate::build::{Built, Engine, Explanation, Graph, Request, Settings, SourceFile};
 use crate::project::model::Project;
 use std::path::PathBuf;
 
@@ -50,8 +50,7 @@ impl Job {
 
     /// Builds up to an extent; tells diagnostics.
     pub(super) fn build(&mut self, request: &Request, extent: Extent) -> Result<Built, Exit> {
-        let cancel = CancelToken::default();
-        listen(&cancel);
+        let cancel = interrupt::token();
         let progress = Progress::new(self.console);
         let (opened, mesh) = (&self.opened, &self.mesh);
         let project = opened.project()?;
@@ -83,15 +82,30 @@ impl Job {
         request: &Request,
         extent: Extent,
     ) -> Result<crate::build::Plan, Exit> {
-        let project = self.opened.project()?;
-        let design = Design {
-            project,
-            spans: &self.opened.loaded.spans,
-            mesh: &self.mesh,
-        };
+        let design = self.design()?;
         Ok(self.engine.plan(request, &|graph: &mut Graph<'_>| {
             declare(graph, design, extent);
         }))
+    }
+
+    /// Why an output or a stage is as it is; `None` if there is no such thing.
+    pub(super) fn explain(
+        &self,
+        subject: &str,
+        extent: Extent,
+    ) -> Result<Option<Explanation>, Exit> {
+        let design = self.design()?;
+        Ok(self.engine.explain(subject, &|graph: &mut Graph<'_>| {
+            declare(graph, design, extent);
+        }))
+    }
+
+    fn design(&self) -> Result<Design<'_>, Exit> {
+        Ok(Design {
+            project: self.opened.project()?,
+            spans: &self.opened.loaded.spans,
+            mesh: &self.mesh,
+        })
     }
 
     /// Errors of the project file do not stop here, those of stages do.
@@ -113,17 +127,7 @@ fn output_directory(global: &Global, opened: &Opened, project: &Project) -> Path
 }
 
 fn settings(console: Console, global: &Global, output: &std::path::Path) -> Result<Settings, Exit> {
-    let names = CacheNames {
-        option: global.cache_dir.clone(),
-        variable: std::env::var_os("EGG_CACHE_DIR"),
-    };
-    let Some(cache) = cache_directory(&names, &|name| std::env::var_os(name)) else {
-        console.complain(
-            "there is no place for the cache: neither HOME nor a cache directory is set",
-            Some("name one with `--cache-dir` or EGG_CACHE_DIR"),
-        );
-        return Err(Exit::Usage);
-    };
+    let cache = cache::directory(console, global)?;
     let mut settings = Settings::new(cache, output);
     if let Some(jobs) = global.jobs {
         settings.jobs = jobs.into();
@@ -142,11 +146,4 @@ fn build_id() -> Option<String> {
         metadata.modified().ok()?,
         metadata.len()
     ))
-}
-
-/// Stops a build on Ctrl-C: what is finished is kept.
-fn listen(cancel: &CancelToken) {
-    let cancel = cancel.clone();
-    // A second handler in one process is refused; the first one still listens.
-    let _already = ctrlc::set_handler(move || cancel.cancel());
 }
