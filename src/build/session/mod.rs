@@ -25,17 +25,17 @@ mod start;
 mod why;
 mod worker;
 
-use super::declare::{Declared, Graph};
+use super::declare::{Declared, Graph, Instance};
 use super::event::Event;
 use super::key::{Digest, PortKind};
 use super::request::Request;
 use super::store::Store;
 use super::store::trace::Head;
-use super::store::worktree::Worktree;
+use super::store::worktree::{InstanceRecord, Worktree};
 use crate::diagnostics::{Code, Diagnostic};
 use entry::{Entry, Slot, Status};
 use estimate::Progress;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeSet, HashMap};
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -53,11 +53,12 @@ pub(super) struct Session<'p, 's> {
     request: &'s Request,
     graph: Graph<'p>,
     entries: Vec<Entry<'s>>,
-    names: HashMap<Arc<super::declare::Instance>, usize>,
-    /// Results known to the last build, by key.
-    recorded: HashMap<Digest, usize>,
+    names: HashMap<Arc<Instance>, usize>,
+    /// Instances of the last build, by name and by key.
+    records: HashMap<&'s Instance, &'s InstanceRecord>,
+    recorded: HashMap<Digest, &'s InstanceRecord>,
     /// Results found or made in this pass, by key.
-    results: BTreeMap<Digest, Arc<Head>>,
+    results: HashMap<Digest, Arc<Head>>,
     /// Instances whose state may have to change.
     agenda: BTreeSet<usize>,
     /// Keys of instances that ran although their result was known.
@@ -80,7 +81,7 @@ pub(super) struct Session<'p, 's> {
 /// What one pass hands on to another over the same graph.
 #[derive(Default)]
 pub(super) struct Known {
-    results: BTreeMap<Digest, Arc<Head>>,
+    results: HashMap<Digest, Arc<Head>>,
     forced: BTreeSet<Digest>,
 }
 
@@ -94,12 +95,7 @@ impl<'p, 's> Session<'p, 's> {
         known: Known,
         declare: &dyn Fn(&mut Graph<'p>),
     ) -> Self {
-        let recorded = worktree
-            .instances
-            .iter()
-            .enumerate()
-            .map(|(index, record)| (record.key, index))
-            .collect();
+        let records = worktree.instances.iter();
         let mut graph = Graph::default();
         declare(&mut graph);
         let mut session = Self {
@@ -110,7 +106,8 @@ impl<'p, 's> Session<'p, 's> {
             graph,
             entries: Vec::new(),
             names: HashMap::new(),
-            recorded,
+            records: records.clone().map(|one| (&one.instance, one)).collect(),
+            recorded: records.map(|one| (one.key, one)).collect(),
             results: known.results,
             agenda: BTreeSet::new(),
             forced: known.forced,
@@ -139,7 +136,7 @@ impl<'p, 's> Session<'p, 's> {
             for &need in &needs {
                 self.entries[need].dependents.push(index);
             }
-            let record = self.worktree.instance(&declared.instance);
+            let record = self.records.get(&*declared.instance).copied();
             self.entries.push(Entry {
                 status: Status::Waiting,
                 wanted: false,
