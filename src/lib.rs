@@ -30,4 +30,5 @@ pub mod layout;
 pub mod members;
 pub mod plan;
 pub mod project;
+pub mod splitting;
 pub mod surface;

@@ -1,3 +1,7 @@
 //! The `egg` command.
 
-fn main() {}
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    egg::cli::main()
+}

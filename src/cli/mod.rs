@@ -1,1 +1,86 @@
-//!
+//! The command line: arguments, messages, progress, exit codes. Nothing else prints or reads the
+//! environment.
+
+mod args;
+mod commands;
+mod console;
+mod design;
+mod exit;
+mod progress;
+mod run;
+
+use args::{Cli, Command};
+use clap::{CommandFactory, Parser};
+use commands::{build, check, explain, export, init, materials, schema};
+use console::Console;
+use exit::Exit;
+use std::process::ExitCode;
+
+/// Runs `egg` with the arguments of the process.
+pub fn main() -> ExitCode {
+    let cli = match Cli::try_parse() {
+        Ok(cli) => cli,
+        Err(error) => {
+            let _ = error.print();
+            return if error.use_stderr() {
+                Exit::Usage
+            } else {
+                Exit::Done
+            }
+            .into();
+        }
+    };
+    let console = Console::new(&cli.global);
+    let dispatched = std::panic::catch_unwind(|| dispatch(console, cli));
+    let exit = dispatched.unwrap_or_else(|_| {
+        console.complain(
+            "this is a fault of egg, not of the project",
+            Some("please report it with the project file and the lines above"),
+        );
+        Exit::Usage
+    });
+    exit.into()
+}
+
+fn dispatch(console: Console, cli: Cli) -> Exit {
+    let Cli { global, command } = cli;
+    if let Some(jobs) = global.jobs {
+        // Fails only if a pool exists already, and then that one serves.
+        let _ = rayon::ThreadPoolBuilder::new()
+            .num_threads(jobs.into())
+            .build_global();
+    }
+    let ended = match command {
+        Command::Init { name } => Ok(init::run(console, &name)),
+        Command::Check { file } => check::run(console, &global, file.path.as_deref()),
+        Command::Build {
+            file,
+            selection,
+            dry_run,
+            force,
+        } => {
+            let request = build::request(&selection, force);
+            let run = if dry_run { build::dry_run } else { build::run };
+            run(console, &global, file.path.as_deref(), &request)
+        }
+        Command::Export { file, format } => {
+            export::run(console, &global, file.path.as_deref(), format)
+        }
+        Command::Schema { of } => {
+            schema::run(of);
+            Ok(Exit::Done)
+        }
+        Command::Explain { code } => Ok(explain::run(console, &code)),
+        Command::Materials => {
+            materials::run(console);
+            Ok(Exit::Done)
+        }
+        Command::Completions { shell } => {
+            let mut text = Vec::new();
+            clap_complete::generate(shell, &mut Cli::command(), "egg", &mut text);
+            console::out(&String::from_utf8_lossy(&text));
+            Ok(Exit::Done)
+        }
+    };
+    ended.unwrap_or_else(|exit| exit)
+}

@@ -6,11 +6,16 @@
 //! as a whole. Key paths are resolved to spans only when a report is rendered.
 
 pub mod codes;
+mod key_path;
+pub mod render;
+mod spans;
 
 use serde::{Deserialize, Serialize};
 use std::ops::Range;
 
 pub use codes::{Code, CodeInfo};
+pub use key_path::KeyPath;
+pub use spans::SpanTable;
 
 /// How grave a diagnostic is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -41,6 +46,8 @@ pub enum Place {
     /// A key path of the project: `patches.west.corners[2]`; a name that is not a bare key is
     /// quoted as in TOML (`points."a b"`). A missing key resolves to its nearest ancestor.
     Key(String),
+    /// The same, but the key itself is meant and not its value: an unknown key, a bad name.
+    Name(String),
     /// A byte range of an input file.
     Bytes {
         /// The file.
@@ -113,6 +120,12 @@ impl Diagnostic {
         self.at(Place::Key(key.into()), text)
     }
 
+    /// Adds a label at a key itself rather than at its value.
+    #[must_use]
+    pub fn at_name(self, key: impl Into<String>, text: impl Into<String>) -> Self {
+        self.at(Place::Name(key.into()), text)
+    }
+
     /// Adds a label at a byte range of a file.
     #[must_use]
     pub fn at_bytes(self, file: File, range: Range<usize>, text: impl Into<String>) -> Self {
@@ -149,6 +162,18 @@ impl Diagnostic {
         self.subject = Some(subject.into());
         self
     }
+}
+
+/// The diagnostics without the lints that a project allows by name. Errors cannot be allowed.
+pub fn without_allowed(diagnostics: Vec<Diagnostic>, allowed: &[String]) -> Vec<Diagnostic> {
+    let is_allowed = |diagnostic: &Diagnostic| {
+        let lint = diagnostic.code.info().filter(|info| info.is_lint());
+        diagnostic.severity != Severity::Error
+            && lint.is_some_and(|lint| allowed.iter().any(|name| name == lint.name))
+    };
+    let mut diagnostics = diagnostics;
+    diagnostics.retain(|diagnostic| !is_allowed(diagnostic));
+    diagnostics
 }
 
 /// A value together with the warnings and notes met on the way.

@@ -1,1 +1,178 @@
 //! Exact shortest geodesics on a triangle mesh between arbitrary surface points.
+//!
+//! Distances are those of the polyhedral surface itself, exact up to rounding: no graph, no
+//! discretisation. Source and targets lie anywhere: inside faces, on edges, at vertices, on the
+//! border.
+//!
+//! * [`Geodesics`] is built once per mesh; [`Geodesics::field`] solves from one source,
+//!   [`Geodesics::shortest`] gives one path.
+//! * [`Field`] answers distances, paths and end directions.
+//! * [`Path`] lists every crossing, so that points on it lie on the surface.
+//! * [`derivative_along`] is the first variation: how a distance changes when an end moves.
+//!
+//! Lengths in metres, angles in radians.
+//!
+//! # Method
+//! Windows (Mitchell, Mount, Papadimitriou 1987) are swept over the faces in batches (Qin, Han,
+//! Yu, Yu, Zhang 2016), filtered by corner distances (Xin, Wang 2009); see the private modules
+//! `window`, `solve`, `trim`. Paths are followed back from the directions in which windows arrive
+//! (`trace`) and laid straight in the unfolded strip of their faces (`strip`).
+//!
+//! # What is no path
+//! The border is part of the surface: paths run along it and bend round its inner corners. There
+//! is no path between components: [`GeodesicError::Unreachable`].
+
+mod charts;
+mod crossing;
+mod error;
+mod field;
+mod path;
+mod solve;
+mod strip;
+mod trace;
+mod trim;
+mod variation;
+mod window;
+
+pub use crossing::{Curve, Hit, crossings};
+pub use error::GeodesicError;
+pub use field::{Arrival, Field};
+pub use path::Path;
+pub use variation::{angle_between, derivative_along};
+
+use crate::surface::{HalfEdge, Mesh, SurfacePoint};
+use charts::Charts;
+use solve::{Sweep, Until};
+
+/// Exact geodesics on a mesh: what is computed once, shared by all solves and threads.
+pub struct Geodesics<'m> {
+    mesh: &'m Mesh,
+    charts: Charts,
+}
+
+/// How far a field is solved.
+#[derive(Debug, Clone, Copy)]
+pub enum Reach<'a> {
+    /// Over the whole component.
+    Everywhere,
+    /// Until these points are known.
+    Targets(&'a [SurfacePoint]),
+    /// To all points within a distance, metres.
+    Radius(f64),
+}
+
+/// Coordinates closer to 0 than this are 0: the point is on the edge or at the vertex.
+const SNAP: f64 = 1e-12;
+
+/// Barycentric coordinates may miss the sum 1 by so much.
+const UNIT_SUM: f64 = 1e-9;
+
+impl<'m> Geodesics<'m> {
+    /// Lays every face flat.
+    pub fn new(mesh: &'m Mesh) -> Self {
+        Self {
+            mesh,
+            charts: Charts::new(mesh),
+        }
+    }
+
+    /// The mesh.
+    pub fn mesh(&self) -> &'m Mesh {
+        self.mesh
+    }
+
+    /// Distances and paths from a source.
+    pub fn field<'g>(
+        &'g self,
+        source: &SurfacePoint,
+        reach: Reach<'_>,
+    ) -> Result<Field<'g>, GeodesicError> {
+        if let Some(face) = self.charts.degenerate {
+            return Err(GeodesicError::DegenerateFace { face });
+        }
+        let source = self.checked(source)?;
+        let swept = match reach {
+            Reach::Everywhere => Sweep::new(self.mesh, &self.charts, &[]).run(&source, Until::Done),
+            Reach::Radius(radius) => {
+                if !(radius >= 0.0 && radius.is_finite()) {
+                    return Err(GeodesicError::InvalidRadius { radius });
+                }
+                Sweep::new(self.mesh, &self.charts, &[]).run(&source, Until::Beyond(radius))
+            }
+            Reach::Targets(targets) => {
+                let mut vertices = Vec::new();
+                let mut others = Vec::new();
+                for target in targets {
+                    match self.checked(target)? {
+                        SurfacePoint::Vertex(v) => vertices.push(v),
+                        other => others.push(other),
+                    }
+                }
+                Sweep::new(self.mesh, &self.charts, &others).run(&source, Until::Reached(&vertices))
+            }
+        };
+        Ok(Field::new(self, source, swept))
+    }
+
+    /// The shortest path between two points.
+    pub fn shortest(&self, from: &SurfacePoint, to: &SurfacePoint) -> Result<Path, GeodesicError> {
+        self.field(from, Reach::Targets(std::slice::from_ref(to)))?
+            .path_to(to)
+    }
+
+    /// A point with its ids and coordinates checked, named in one way only: snapped to the edge
+    /// or vertex it lies on, an edge by the smaller of its half-edges.
+    fn checked(&self, point: &SurfacePoint) -> Result<SurfacePoint, GeodesicError> {
+        let mesh = self.mesh;
+        let faces = mesh.faces().len();
+        let invalid = Err(GeodesicError::InvalidPoint { point: *point });
+        match *point {
+            SurfacePoint::Vertex(v) => {
+                if (v as usize) < mesh.positions().len() {
+                    Ok(*point)
+                } else {
+                    invalid
+                }
+            }
+            SurfacePoint::Edge { half_edge, at } => {
+                if half_edge.0 as usize >= 3 * faces || !(0.0..=1.0).contains(&at) {
+                    return invalid;
+                }
+                Ok(self.on_edge(half_edge, at))
+            }
+            SurfacePoint::Face { face, bary } => {
+                let sum: f64 = bary.iter().sum();
+                let inside = bary.iter().all(|&b| b >= -SNAP && b.is_finite());
+                if face as usize >= faces || !inside || (sum - 1.0).abs() > UNIT_SUM {
+                    return invalid;
+                }
+                let bary = bary.map(|b| b.max(0.0) / sum);
+                let corner = (0..3).find(|&i| bary[i] >= 1.0 - 2.0 * SNAP);
+                let side = (0..3).find(|&i| bary[i] < SNAP);
+                Ok(match (corner, side) {
+                    (Some(corner), _) => SurfacePoint::Vertex(mesh.faces()[face as usize][corner]),
+                    (None, Some(opposite)) => {
+                        let h = HalfEdge::new(face, (opposite as u32 + 1) % 3);
+                        let (from, to) = (bary[h.corner()], bary[h.next().corner()]);
+                        self.on_edge(h, to / (from + to))
+                    }
+                    (None, None) => SurfacePoint::Face { face, bary },
+                })
+            }
+        }
+    }
+
+    fn on_edge(&self, half_edge: HalfEdge, at: f64) -> SurfacePoint {
+        let (half_edge, at) = match self.mesh.twin(half_edge) {
+            Some(twin) if twin < half_edge => (twin, 1.0 - at),
+            _ => (half_edge, at),
+        };
+        if at < SNAP {
+            SurfacePoint::Vertex(self.mesh.origin(half_edge))
+        } else if at > 1.0 - SNAP {
+            SurfacePoint::Vertex(self.mesh.target(half_edge))
+        } else {
+            SurfacePoint::Edge { half_edge, at }
+        }
+    }
+}

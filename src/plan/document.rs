@@ -3,8 +3,9 @@
 //! Lengths in metres, angles in degrees, masses in kilograms. Numbers keep full precision here
 //! and are rounded only when written.
 
+use super::{openings, round};
 use crate::diagnostics::Diagnostic;
-use crate::project::model::Family;
+use crate::project::model::{Family, SpliceKind, SupportKind};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -32,6 +33,10 @@ pub struct Plan {
     pub lamellae: Vec<LamellaRecord>,
     /// Panels with their parts.
     pub sheets: Vec<SheetRecord>,
+    /// Foils between lamellae, in the order of assembly.
+    pub stickers: Vec<StickerRecord>,
+    /// What the structure stands on.
+    pub supports: Vec<SupportRecord>,
     /// What to buy.
     pub bill_of_materials: Vec<BomRow>,
     /// What the compiler had to say.
@@ -39,7 +44,7 @@ pub struct Plan {
 }
 
 /// The design surface.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct SurfaceRecord {
     /// Number of vertices.
@@ -47,20 +52,24 @@ pub struct SurfaceRecord {
     /// Number of triangles.
     pub faces: u32,
     /// Square metres.
+    #[serde(serialize_with = "round::quantity")]
     pub area: f64,
     /// Smallest and largest coordinates.
+    #[serde(serialize_with = "round::metres")]
     pub bounding_box: [[f64; 3]; 2],
     /// Gaussian curvature away from the border, 1/m^2.
     pub gaussian_curvature: Range,
 }
 
 /// An interval.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Range {
     /// Lower end.
+    #[serde(serialize_with = "round::curvature")]
     pub min: f64,
     /// Upper end.
+    #[serde(serialize_with = "round::curvature")]
     pub max: f64,
 }
 
@@ -71,8 +80,10 @@ pub struct PointRecord {
     /// The user's name.
     pub id: String,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub position: [f64; 3],
     /// Unit surface normal.
+    #[serde(serialize_with = "round::share")]
     pub normal: [f64; 3],
 }
 
@@ -87,8 +98,10 @@ pub struct EdgeRecord {
     /// Second anchor.
     pub to: String,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub length: f64,
     /// Points where it crosses mesh edges, ends included.
+    #[serde(serialize_with = "round::metres")]
     pub polyline: Vec<[f64; 3]>,
 }
 
@@ -103,10 +116,13 @@ pub struct PatchRecord {
     /// Sides 1-2, 2-3, 3-4, 4-1.
     pub sides: [SideRecord; 4],
     /// Surface angle at the first corner, degrees.
+    #[serde(serialize_with = "round::degrees")]
     pub alpha_surface: f64,
     /// Planar angle at the first corner, degrees.
+    #[serde(serialize_with = "round::degrees")]
     pub alpha_planar: f64,
     /// The flat quadrilateral, metres, in the order of `corners`.
+    #[serde(serialize_with = "round::metres")]
     pub planar_corners: [[f64; 2]; 4],
     /// Diagonals.
     pub diagonals: Diagonals,
@@ -128,6 +144,7 @@ pub struct SideRecord {
     /// Ids of its edges, from corner to corner.
     pub edges: Vec<String>,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub length: f64,
 }
 
@@ -137,12 +154,16 @@ pub struct SideRecord {
 #[serde(deny_unknown_fields)]
 pub struct Diagonals {
     /// On the surface, 1-3.
+    #[serde(serialize_with = "round::metres")]
     pub e: f64,
     /// On the surface, 2-4.
+    #[serde(serialize_with = "round::metres")]
     pub f: f64,
     /// In the plane, 1-3.
+    #[serde(serialize_with = "round::metres")]
     pub e_planar: f64,
     /// In the plane, 2-4.
+    #[serde(serialize_with = "round::metres")]
     pub f_planar: f64,
 }
 
@@ -151,8 +172,10 @@ pub struct Diagonals {
 #[serde(deny_unknown_fields)]
 pub struct Eta {
     /// u-family.
+    #[serde(serialize_with = "round::share")]
     pub u: f64,
     /// v-family.
+    #[serde(serialize_with = "round::share")]
     pub v: f64,
 }
 
@@ -161,12 +184,16 @@ pub struct Eta {
 #[serde(deny_unknown_fields)]
 pub struct PatchCurvature {
     /// Largest Gaussian curvature inside, 1/m^2.
+    #[serde(serialize_with = "round::curvature")]
     pub max: f64,
     /// Where it is.
+    #[serde(serialize_with = "round::metres")]
     pub peak: [f64; 3],
     /// pi / sqrt(max): shorter geodesics are unique (paper, Expression 1); none where max <= 0.
+    #[serde(serialize_with = "round::metres")]
     pub injectivity_bound: Option<f64>,
     /// Longest member or diagonal, metres.
+    #[serde(serialize_with = "round::metres")]
     pub longest_geodesic: f64,
 }
 
@@ -185,10 +212,13 @@ pub struct Cladding {
 #[serde(deny_unknown_fields)]
 pub struct CladdingFunction {
     /// (start, end) shares of the two sides, increasing from (0, 0) to (1, 1).
+    #[serde(serialize_with = "round::share")]
     pub samples: Vec<[f64; 2]>,
     /// Smallest slope.
+    #[serde(serialize_with = "round::share")]
     pub slope_min: f64,
     /// Largest slope.
+    #[serde(serialize_with = "round::share")]
     pub slope_max: f64,
 }
 
@@ -205,18 +235,24 @@ pub struct MemberRecord {
     /// From 1, in the order of the start side.
     pub index: u32,
     /// Share of the start side.
+    #[serde(serialize_with = "round::share")]
     pub start: f64,
     /// Share of the end side.
+    #[serde(serialize_with = "round::share")]
     pub end: f64,
     /// Whether it is a side of the patch.
     pub boundary: bool,
     /// Exact shortest distance of its ends on the surface, metres.
+    #[serde(serialize_with = "round::metres")]
     pub length_surface: f64,
     /// Distance of its ends in the plane, metres.
+    #[serde(serialize_with = "round::metres")]
     pub length_planar: f64,
     /// Points where it crosses mesh edges, ends included.
+    #[serde(serialize_with = "round::metres")]
     pub polyline: Vec<[f64; 3]>,
     /// Ends in the plane, metres.
+    #[serde(serialize_with = "round::metres")]
     pub planar: [[f64; 2]; 2],
 }
 
@@ -231,18 +267,23 @@ pub struct CrossingRecord {
     /// Id of the v-member.
     pub v: String,
     /// On the surface, metres.
+    #[serde(serialize_with = "round::metres")]
     pub position: [f64; 3],
     /// Unit surface normal.
+    #[serde(serialize_with = "round::share")]
     pub normal: [f64; 3],
     /// In the plane, metres.
+    #[serde(serialize_with = "round::metres")]
     pub planar: [f64; 2],
     /// Arc length from the start of the u-member.
     pub on_u: Positions,
     /// Arc length from the start of the v-member.
     pub on_v: Positions,
     /// Angle from the u- to the v-member on the surface, degrees.
+    #[serde(serialize_with = "round::degrees")]
     pub angle_surface: f64,
     /// Angle from the u- to the v-member in the plane, degrees.
+    #[serde(serialize_with = "round::degrees")]
     pub angle_planar: f64,
 }
 
@@ -251,8 +292,10 @@ pub struct CrossingRecord {
 #[serde(deny_unknown_fields)]
 pub struct Positions {
     /// Deployed.
+    #[serde(serialize_with = "round::metres")]
     pub surface: f64,
     /// Flat.
+    #[serde(serialize_with = "round::metres")]
     pub planar: f64,
 }
 
@@ -267,18 +310,54 @@ pub struct LamellaRecord {
     /// Name of the material.
     pub material: String,
     /// Metres, end margins included.
+    #[serde(serialize_with = "round::metres")]
     pub length: f64,
     /// From the end of the lamella to the start of the member, metres: openings are measured
     /// from the start of the member.
+    #[serde(serialize_with = "round::metres")]
     pub end_margin: f64,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub width: f64,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub thickness: f64,
     /// Kilograms, openings subtracted.
+    #[serde(serialize_with = "round::kilograms")]
     pub mass: f64,
     /// Sorted along the lamella.
+    #[serde(with = "openings")]
+    #[schemars(with = "Vec<OpeningRecord>")]
     pub openings: Vec<OpeningRecord>,
+    /// Pieces that are joined, from the start to the end; none for a lamella in one piece.
+    pub pieces: Vec<PieceRecord>,
+}
+
+/// A piece of a spliced lamella. Positions are metres from the start of the lamella.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PieceRecord {
+    /// `west.u03a`.
+    pub id: String,
+    /// Middle of the joint at its start, or the start of the lamella.
+    #[serde(serialize_with = "round::metres")]
+    pub from: f64,
+    /// Middle of the joint at its end, or the end of the lamella.
+    #[serde(serialize_with = "round::metres")]
+    pub to: f64,
+    /// The joint to the next piece; none at the last.
+    pub joint: Option<JointRecord>,
+}
+
+/// How two pieces are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointRecord {
+    /// Fingers, scarf or plate.
+    pub kind: SpliceKind,
+    /// Length that the joint takes along the lamella, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub length: f64,
 }
 
 /// An opening of a lamella. Positions are arc lengths from the start of the member, metres.
@@ -288,8 +367,10 @@ pub enum OpeningRecord {
     /// A round hole.
     Hole {
         /// Centre.
+        #[serde(serialize_with = "round::metres")]
         at: f64,
         /// Cut diameter, metres.
+        #[serde(serialize_with = "round::metres")]
         diameter: f64,
         /// Id of the crossing it serves.
         crossing: String,
@@ -297,14 +378,26 @@ pub enum OpeningRecord {
     /// An elongated hole: the bolt slides from `from` (flat) to `to` (deployed).
     Notch {
         /// Centre of the bolt in the flat state.
+        #[serde(serialize_with = "round::metres")]
         from: f64,
         /// Centre of the bolt in the deployed state.
+        #[serde(serialize_with = "round::metres")]
         to: f64,
         /// Cut width, metres; the cut is longer than |to - from| by this.
+        #[serde(serialize_with = "round::metres")]
         diameter: f64,
         /// Id of the crossing it serves.
         crossing: String,
     },
+}
+
+impl OpeningRecord {
+    /// Id of the crossing it serves.
+    pub fn crossing(&self) -> &str {
+        match self {
+            Self::Hole { crossing, .. } | Self::Notch { crossing, .. } => crossing,
+        }
+    }
 }
 
 /// A panel with its parts.
@@ -316,12 +409,16 @@ pub struct SheetRecord {
     /// Name of the material.
     pub material: String,
     /// Metres.
+    #[serde(serialize_with = "round::metres")]
     pub thickness: f64,
-    /// Along the grain, metres.
+    /// Along the parts, metres.
+    #[serde(serialize_with = "round::metres")]
     pub length: f64,
-    /// Across the grain, metres.
+    /// Across the parts, metres.
+    #[serde(serialize_with = "round::metres")]
     pub width: f64,
     /// Share of the panel's area that becomes parts.
+    #[serde(serialize_with = "round::share")]
     pub yield_share: f64,
     /// Parts by id.
     pub parts: Vec<PlacedPart>,
@@ -331,12 +428,95 @@ pub struct SheetRecord {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlacedPart {
-    /// Id of the lamella.
-    pub lamella: String,
+    /// Id of the lamella, or of its piece.
+    pub part: String,
     /// Metres from the left.
+    #[serde(serialize_with = "round::metres")]
     pub x: f64,
     /// Metres from below.
+    #[serde(serialize_with = "round::metres")]
     pub y: f64,
+}
+
+/// A foil on one face of a lamella at a crossing. Positions are arc lengths from the start of
+/// the member, metres, as those of openings.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StickerRecord {
+    /// `west.u03-v05.u`: the crossing, and the family of the lamella that carries it.
+    pub id: String,
+    /// From 1, in the order of assembly.
+    pub number: u32,
+    /// Id of the crossing.
+    pub crossing: String,
+    /// Id of the lamella that carries it.
+    pub lamella: String,
+    /// The face that it covers.
+    pub face: Face,
+    /// Where it begins.
+    #[serde(serialize_with = "round::metres")]
+    pub from: f64,
+    /// Where it ends.
+    #[serde(serialize_with = "round::metres")]
+    pub to: f64,
+    /// Across the lamella, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub width: f64,
+    /// First and last centre of the bolt in its slot.
+    #[serde(serialize_with = "round::metres")]
+    pub slot: [f64; 2],
+    /// Width of its slot, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub diameter: f64,
+}
+
+/// A face of a lamella.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Face {
+    /// The one with the labels, seen in the layout drawing.
+    Top,
+    /// The other one.
+    Bottom,
+}
+
+/// A support: a point and a tangent plane that the structure is bolted to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SupportRecord {
+    /// `support-a`, `support-west.u01-v03`.
+    pub id: String,
+    /// The anchor or crossing that it carries.
+    pub at: String,
+    /// What it is.
+    pub kind: SupportKind,
+    /// Middle of its contact face, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub position: [f64; 3],
+    /// Unit normal of the contact face, upwards.
+    #[serde(serialize_with = "round::share")]
+    pub normal: [f64; 3],
+    /// Angle of the contact face to the horizontal, degrees.
+    #[serde(serialize_with = "round::degrees")]
+    pub tilt: f64,
+    /// Direction in which the contact face falls, degrees counter-clockwise from x.
+    #[serde(serialize_with = "round::degrees")]
+    pub azimuth: f64,
+    /// Middle of the contact face above the ground, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub height: f64,
+    /// Diameter of the contact face, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub pad: f64,
+    /// Diameter or side of the foot, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub foot: f64,
+    /// Cubic metres, the wedge apart.
+    #[serde(serialize_with = "round::quantity")]
+    pub volume: f64,
+    /// Kilograms, where the material is known.
+    #[serde(serialize_with = "round::kilograms")]
+    pub mass: f64,
 }
 
 /// One line of the shopping list.
@@ -354,14 +534,18 @@ pub struct BomRow {
     /// Standard or dimensions.
     pub specification: String,
     /// How many are used.
+    #[serde(serialize_with = "round::quantity")]
     pub quantity: f64,
     /// `pcs`, `m`, `m2`, `kg`.
     pub unit: String,
     /// How many more to buy.
+    #[serde(serialize_with = "round::quantity")]
     pub spare: f64,
     /// Kilograms each, where known.
+    #[serde(serialize_with = "round::kilograms")]
     pub unit_mass: Option<f64>,
     /// Price each, where given.
+    #[serde(serialize_with = "round::quantity")]
     pub unit_cost: Option<f64>,
 }
 
@@ -377,6 +561,28 @@ pub struct DiagnosticRecord {
     pub message: String,
     /// Id of the thing it is about.
     pub subject: Option<String>,
+}
+
+impl Default for Plan {
+    /// An empty plan of the current format.
+    fn default() -> Self {
+        Self {
+            format: super::FORMAT,
+            name: String::new(),
+            surface: SurfaceRecord::default(),
+            points: Vec::new(),
+            edges: Vec::new(),
+            patches: Vec::new(),
+            members: Vec::new(),
+            crossings: Vec::new(),
+            lamellae: Vec::new(),
+            stickers: Vec::new(),
+            supports: Vec::new(),
+            sheets: Vec::new(),
+            bill_of_materials: Vec::new(),
+            diagnostics: Vec::new(),
+        }
+    }
 }
 
 impl From<&Diagnostic> for DiagnosticRecord {

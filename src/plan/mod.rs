@@ -1,5 +1,12 @@
-//! The plan document.
+//! The plan: the compiler's one result, from which drawings, sheets, bills and differences are
+//! made, and from nothing else.
 
+mod chapter;
 mod document;
+mod openings;
+mod round;
+mod write;
 
+pub use chapter::{EdgePiece, PatchNames, PatchResults, bind, patch_chapter, skeleton_chapter};
 pub use document::*;
+pub use write::{FORMAT, ReadError, from_ron, schema, to_json, to_ron};

@@ -4,6 +4,7 @@
 //! Lengths in metres, angles in radians (degrees exist only in the file), masses in kilograms,
 //! stresses in pascals. Names keep the order of the file.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A whole project.
@@ -19,7 +20,7 @@ pub struct Project {
     pub patches: Vec<Patch>,
     /// `[distribution]`.
     pub distribution: Distribution,
-    /// `[materials]`: every material that a lamella names, built in or the user's.
+    /// Every material that a lamella or a study names, built in or of `[materials]`, by name.
     pub materials: Vec<Material>,
     /// `[split]`.
     pub split: Split,
@@ -40,7 +41,8 @@ pub struct Project {
 /// The design surface: which file, and how to read it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Surface {
-    /// Path as written, relative to the project file.
+    /// Path as written, relative to the project file, `/` between its parts. It may hold `..`;
+    /// whether it stays within the repository only the file system can tell.
     pub mesh: String,
     /// Metres per unit of the mesh, the factor `scale` included.
     pub metres_per_unit: f64,
@@ -51,7 +53,7 @@ pub struct Surface {
 }
 
 /// An axis of the mesh file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Axis {
     /// x.
@@ -96,10 +98,10 @@ pub struct Patch {
     pub name: String,
     /// Names of its four anchors in order around it.
     pub corners: [String; 4],
-    /// Members of the u-family, boundary members included; may come from another patch of the
-    /// strip.
+    /// Members of the u-family, boundary members included. A loaded project has every count: of
+    /// the patch itself, of its strip, or computed across a T-junction.
     pub u: Option<u32>,
-    /// Members of the v-family.
+    /// Members of the v-family, likewise.
     pub v: Option<u32>,
     /// Planar angle at the first corner, radians; `None` lets the compiler choose.
     pub alpha: Option<f64>,
@@ -129,17 +131,7 @@ pub struct Distribution {
 
 /// One of the two families of members.
 #[derive(
-    Debug,
-    Clone,
-    Copy,
-    PartialEq,
-    Eq,
-    PartialOrd,
-    Ord,
-    Hash,
-    Serialize,
-    Deserialize,
-    schemars::JsonSchema,
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema,
 )]
 #[serde(rename_all = "lowercase")]
 pub enum Family {
@@ -162,14 +154,14 @@ pub struct Material {
     pub density: f64,
     /// Bending strength, Pa.
     pub bending_strength: f64,
-    /// Price of a square metre of sheet, in the project's currency.
+    /// Price of a square metre of sheet, in the project's one currency.
     pub price: Option<f64>,
     /// Which way the grain runs in a lamella.
     pub grain: Grain,
 }
 
 /// Grain of a lamella.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Grain {
     /// Along the lamella: the usual case, and the stiff one.
@@ -196,7 +188,7 @@ pub struct Split {
 }
 
 /// How patches are split.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Workflow {
     /// Patches are taken as they are and checked.
@@ -230,7 +222,7 @@ pub enum SupportPlaces {
 }
 
 /// What a support is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SupportKind {
     /// A printed foot.
@@ -332,7 +324,7 @@ pub struct Bed {
 }
 
 /// Colour and layer conventions of cut files.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum ColourPreset {
     /// Red cuts, blue scores, black engraves.
@@ -342,7 +334,7 @@ pub enum ColourPreset {
 }
 
 /// How a long lamella is joined.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum SpliceKind {
     /// In-plane fingers, cut and glued.

@@ -1,7 +1,9 @@
 //! An oriented manifold triangle mesh with its adjacency.
 
+use super::adjacency::{Adjacency, MeshDefect};
 use super::{Point3, Vector3};
-use serde::{Deserialize, Serialize};
+use serde::ser::SerializeStruct;
+use serde::{Deserialize, Serialize, Serializer};
 
 /// A directed edge of a face: `3 * face + corner`, from that corner to the next one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
@@ -9,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct HalfEdge(pub u32);
 
 impl HalfEdge {
-    const BORDER: u32 = u32::MAX;
+    pub(super) const BORDER: u32 = u32::MAX;
 
     /// The half-edge of `face` that starts at its `corner` (0, 1, 2).
     pub fn new(face: u32, corner: u32) -> Self {
@@ -39,7 +41,7 @@ impl HalfEdge {
     /// The previous one around its face.
     #[must_use]
     pub fn prev(self) -> Self {
-        if self.0 % 3 == 0 {
+        if self.0.is_multiple_of(3) {
             Self(self.0 + 2)
         } else {
             Self(self.0 - 1)
@@ -47,152 +49,80 @@ impl HalfEdge {
     }
 }
 
-/// Why faces and vertices are no oriented manifold mesh.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum MeshDefect {
-    /// A face names a vertex that does not exist.
-    IndexOutOfRange {
-        /// The face.
-        face: u32,
-    },
-    /// A face names a vertex twice.
-    RepeatedVertex {
-        /// The face.
-        face: u32,
-    },
-    /// More than two faces at an edge, or two that run along it in the same direction.
-    NonManifoldEdge {
-        /// The edge's vertices.
-        vertices: [u32; 2],
-    },
-    /// The faces around a vertex form more than one fan.
-    NonManifoldVertex {
-        /// The vertex.
-        vertex: u32,
-    },
-    /// A vertex without faces.
-    UnusedVertex {
-        /// The vertex.
-        vertex: u32,
-    },
-}
-
 /// An oriented manifold triangle mesh, possibly with borders and several components.
 ///
 /// Construction checks the topology; geometry (degenerate faces, several components) is judged
-/// where meshes are read.
-#[derive(Debug, Clone, Serialize, Deserialize)]
-#[serde(try_from = "Parts", into = "Parts")]
+/// where meshes are read. Its content is positions and faces, and only these are serialised.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(try_from = "Parts")]
 pub struct Mesh {
     positions: Vec<Point3>,
     faces: Vec<[u32; 3]>,
-    /// Per half-edge the opposite one, or `HalfEdge::BORDER`.
-    twins: Vec<u32>,
-    /// Per vertex the half-edge that starts there; on the border the one whose twin of its
-    /// predecessor chain is complete, i.e. rotating counter-clockwise from it meets all faces.
-    outgoing: Vec<u32>,
+    adjacency: Adjacency,
 }
 
-#[derive(Serialize, Deserialize, Clone)]
+#[derive(Deserialize)]
+#[serde(rename = "Mesh")]
 struct Parts {
     positions: Vec<Point3>,
     faces: Vec<[u32; 3]>,
 }
 
-impl From<Mesh> for Parts {
-    fn from(mesh: Mesh) -> Self {
-        Self {
-            positions: mesh.positions,
-            faces: mesh.faces,
-        }
+impl TryFrom<Parts> for Mesh {
+    type Error = MeshDefect;
+
+    fn try_from(parts: Parts) -> Result<Self, MeshDefect> {
+        Self::new(parts.positions, parts.faces)
     }
 }
 
-impl TryFrom<Parts> for Mesh {
-    type Error = String;
-
-    fn try_from(parts: Parts) -> Result<Self, String> {
-        Self::new(parts.positions, parts.faces).map_err(|defect| format!("{defect:?}"))
+impl Serialize for Mesh {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut parts = serializer.serialize_struct("Mesh", 2)?;
+        parts.serialize_field("positions", &self.positions)?;
+        parts.serialize_field("faces", &self.faces)?;
+        parts.end()
     }
 }
 
 impl Mesh {
-    /// Builds the adjacency.
+    /// Builds the adjacency, in linear time.
     ///
     /// # Errors
-    /// The first defect in the order of faces, then vertices.
+    /// The first defect in the order of faces, edges, vertices.
     pub fn new(positions: Vec<Point3>, faces: Vec<[u32; 3]>) -> Result<Self, MeshDefect> {
-        let count = positions.len() as u32;
-        let mut edges = Vec::with_capacity(3 * faces.len());
-        for (f, face) in faces.iter().enumerate() {
-            if face.iter().any(|&v| v >= count) {
-                return Err(MeshDefect::IndexOutOfRange { face: f as u32 });
-            }
-            if face[0] == face[1] || face[1] == face[2] || face[2] == face[0] {
-                return Err(MeshDefect::RepeatedVertex { face: f as u32 });
-            }
-            for i in 0..3 {
-                let (a, b) = (face[i], face[(i + 1) % 3]);
-                edges.push((a.min(b), a.max(b), a > b, (3 * f + i) as u32));
-            }
-        }
-        edges.sort_unstable();
-        let mut twins = vec![HalfEdge::BORDER; 3 * faces.len()];
-        for group in edges.chunk_by(|p, q| (p.0, p.1) == (q.0, q.1)) {
-            match group {
-                [_] => {}
-                [p, q] if p.2 != q.2 => {
-                    twins[p.3 as usize] = q.3;
-                    twins[q.3 as usize] = p.3;
-                }
-                _ => {
-                    return Err(MeshDefect::NonManifoldEdge {
-                        vertices: [group[0].0, group[0].1],
-                    });
-                }
-            }
-        }
-        let mut mesh = Self {
+        let adjacency = Adjacency::build(positions.len(), &faces)?;
+        Ok(Self {
             positions,
             faces,
-            twins,
-            outgoing: Vec::new(),
-        };
-        mesh.outgoing = mesh.find_outgoing()?;
-        Ok(mesh)
+            adjacency,
+        })
     }
 
-    /// Picks each vertex's first half-edge and checks that its faces form one fan.
-    fn find_outgoing(&self) -> Result<Vec<u32>, MeshDefect> {
-        let mut outgoing = vec![HalfEdge::BORDER; self.positions.len()];
-        let mut degree = vec![0_u32; self.positions.len()];
-        for h in 0..self.twins.len() as u32 {
-            let v = self.origin(HalfEdge(h)) as usize;
-            degree[v] += 1;
-            // The clockwise end of a border fan is the half-edge on the border.
-            if outgoing[v] == HalfEdge::BORDER || self.twins[h as usize] == HalfEdge::BORDER {
-                outgoing[v] = h;
+    /// BLAKE3 hash of the content: positions (by their bits) and faces. Meshes with equal
+    /// fingerprints are equal to every stage.
+    pub fn fingerprint(&self) -> [u8; 32] {
+        let mut hasher = blake3::Hasher::new();
+        hasher.update(&u64::from(self.vertex_count()).to_le_bytes());
+        for p in &self.positions {
+            for c in p.iter() {
+                hasher.update(&c.to_le_bytes());
             }
         }
-        for v in 0..self.positions.len() {
-            if outgoing[v] == HalfEdge::BORDER {
-                return Err(MeshDefect::UnusedVertex { vertex: v as u32 });
-            }
-            let first = HalfEdge(outgoing[v]);
-            let mut met = 1;
-            let mut h = first;
-            while let Some(next) = self.twin(h.prev()) {
-                if next == first {
-                    break;
-                }
-                h = next;
-                met += 1;
-            }
-            if met != degree[v] {
-                return Err(MeshDefect::NonManifoldVertex { vertex: v as u32 });
-            }
+        for v in self.faces.iter().flatten() {
+            hasher.update(&v.to_le_bytes());
         }
-        Ok(outgoing)
+        hasher.finalize().into()
+    }
+
+    /// Number of vertices; their ids are `0..vertex_count()`.
+    pub fn vertex_count(&self) -> u32 {
+        self.positions.len() as u32
+    }
+
+    /// Number of faces; their ids are `0..face_count()`.
+    pub fn face_count(&self) -> u32 {
+        self.faces.len() as u32
     }
 
     /// Vertex positions, metres.
@@ -217,7 +147,7 @@ impl Mesh {
 
     /// The half-edge on the other side, or `None` on the border.
     pub fn twin(&self, h: HalfEdge) -> Option<HalfEdge> {
-        let twin = self.twins[h.0 as usize];
+        let twin = self.adjacency.twins[h.0 as usize];
         (twin != HalfEdge::BORDER).then_some(HalfEdge(twin))
     }
 
@@ -236,10 +166,14 @@ impl Mesh {
         self.position(self.target(h)) - self.position(self.origin(h))
     }
 
+    fn first_outgoing(&self, vertex: u32) -> HalfEdge {
+        HalfEdge(self.adjacency.outgoing[vertex as usize])
+    }
+
     /// Half-edges that start at a vertex, counter-clockwise; at a border vertex from the border
     /// on, so that every face is met.
     pub fn outgoing(&self, vertex: u32) -> impl Iterator<Item = HalfEdge> + '_ {
-        let first = HalfEdge(self.outgoing[vertex as usize]);
+        let first = self.first_outgoing(vertex);
         let mut next = Some(first);
         std::iter::from_fn(move || {
             let h = next?;
@@ -248,10 +182,58 @@ impl Mesh {
         })
     }
 
+    /// Vertices joined to a vertex by an edge, counter-clockwise; at a border vertex from one end
+    /// of the fan to the other.
+    pub fn neighbours(&self, vertex: u32) -> impl Iterator<Item = u32> + '_ {
+        self.outgoing(vertex).flat_map(move |h| {
+            let last = h.prev();
+            let closes = self.twin(last).is_none().then(|| self.origin(last));
+            std::iter::once(self.target(h)).chain(closes)
+        })
+    }
+
+    /// The half-edge from one vertex to another, if they share an edge whose face lies to the left
+    /// of that direction.
+    pub fn half_edge_between(&self, from: u32, to: u32) -> Option<HalfEdge> {
+        self.outgoing(from).find(|&h| self.target(h) == to)
+    }
+
+    /// One half-edge of every edge: the lower of the two, or the only one on the border.
+    pub fn edges(&self) -> impl Iterator<Item = HalfEdge> + '_ {
+        self.half_edges()
+            .filter(|&h| self.twin(h).is_none_or(|twin| h < twin))
+    }
+
+    /// All half-edges.
+    pub fn half_edges(&self) -> impl Iterator<Item = HalfEdge> {
+        (0..3 * self.face_count()).map(HalfEdge)
+    }
+
     /// Whether a vertex lies on the border.
     pub fn is_border_vertex(&self, vertex: u32) -> bool {
-        self.twin(HalfEdge(self.outgoing[vertex as usize]))
-            .is_none()
+        self.twin(self.first_outgoing(vertex)).is_none()
+    }
+
+    /// Per vertex how many edges it is away from the border, counted up to `limit + 1`.
+    pub fn rings_from_border(&self, limit: u32) -> Vec<u32> {
+        let mut rings = vec![limit + 1; self.positions.len()];
+        let mut ring: Vec<u32> = (0..self.vertex_count())
+            .filter(|&v| self.is_border_vertex(v))
+            .collect();
+        for distance in 0..=limit {
+            for &v in &ring {
+                rings[v as usize] = distance;
+            }
+            let mut next: Vec<u32> = ring
+                .iter()
+                .flat_map(|&v| self.neighbours(v))
+                .filter(|&v| rings[v as usize] > limit)
+                .collect();
+            next.sort_unstable();
+            next.dedup();
+            ring = next;
+        }
+        rings
     }
 
     /// Cross product of two sides of a face: twice its area along its normal, square metres.
@@ -263,6 +245,15 @@ impl Mesh {
     /// Unit normal of a face.
     pub fn face_normal(&self, face: u32) -> Vector3 {
         self.face_cross(face).normalize()
+    }
+
+    /// Unit normal at a vertex: of the faces around it, weighted by their areas.
+    pub fn vertex_normal(&self, vertex: u32) -> Vector3 {
+        let mut sum = Vector3::zeros();
+        for h in self.outgoing(vertex) {
+            sum += self.face_cross(h.face());
+        }
+        sum.normalize()
     }
 
     /// Total area, square metres.
@@ -319,6 +310,37 @@ mod tests {
             grid(&SQUARE, &[[0, 1, 2]]).unwrap_err(),
             MeshDefect::UnusedVertex { vertex: 3 }
         );
+    }
+
+    #[test]
+    fn neighbours_and_edges_are_met_once() {
+        let mesh = grid(&SQUARE, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+        assert_eq!(mesh.neighbours(0).collect::<Vec<_>>(), [1, 2, 3]);
+        assert_eq!(mesh.neighbours(1).collect::<Vec<_>>(), [2, 0]);
+        assert_eq!(mesh.edges().count(), 5);
+        let diagonal = mesh.half_edge_between(2, 0).unwrap();
+        assert_eq!((diagonal.face(), diagonal.corner()), (0, 2));
+        assert_eq!(mesh.half_edge_between(1, 0), None);
+        assert_eq!(mesh.half_edge_between(1, 3), None);
+        assert_eq!(mesh.vertex_normal(2), Vector3::z());
+    }
+
+    #[test]
+    fn rings_count_edges_from_the_border() {
+        let mesh = crate::surface::generate::sphere_cap(1.0, 1.0, 4);
+        // Rings of 1, 6, 12, 18 and 24 vertices from the top to the rim.
+        let rings = mesh.rings_from_border(2);
+        let count = |ring| rings.iter().filter(|&&r| r == ring).count();
+        assert_eq!([0, 1, 2, 3].map(count), [24, 18, 12, 7]);
+    }
+
+    #[test]
+    fn only_positions_and_faces_are_stored_and_both_are_checked() {
+        let mesh = grid(&SQUARE, &[[0, 1, 2], [0, 2, 3]]).unwrap();
+        let text = ron::to_string(&mesh).unwrap();
+        assert_eq!(ron::from_str::<Mesh>(&text).unwrap(), mesh);
+        let broken = text.replace("(0,2,3)", "(0,1,3)");
+        assert!(ron::from_str::<Mesh>(&broken).is_err());
     }
 
     #[test]

@@ -1,0 +1,567 @@
+//! The graph of a structure: every stage with its inputs and what it needs, in the order in which
+//! data passes.
+//!
+//! | stage | per | reads of the project | needs |
+//! |---|---|---|---|
+//! | `surface` | structure | `surface`, contents of the mesh file | |
+//! | `curvature` | structure | | `surface` |
+//! | `anchors` | structure | `points` | `surface` |
+//! | `anchor` | point | | `anchors` |
+//! | `line` | line | | `surface`, the anchors at its ends |
+//! | `station` | point on a line | its share | `surface`, `line` |
+//! | `patch` | patch | shares of its corners on their lines | `surface`, four `line` |
+//! | `sides` | patch | | `patch` |
+//! | `distances` | patch and family | | `patch` |
+//! | `cladding` | patch | `alpha`, `members`, `split.slope`, `lamella.width` | `sides`, `distances` |
+//! | `feasibility` | patch | | `surface`, `curvature`, `patch` |
+//! | `judgement` | patch | `split.eta_max` | `feasibility`, `cladding` |
+//! | `schedule` | strip | `members`, `distribution.weights`, shares of corners | `cladding` |
+//! | `strip` | strip | the same | `patch`, `cladding`, `schedule` |
+//! | `members` | patch and family | | `strip` |
+//! | `grid` | patch | | `patch`, `members` |
+//! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
+//! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |
+//! | `chapter` | patch | names, material | the patch's results |
+//! | `workshop` | patch | hardware, fabrication, materials | `chapter` |
+//! | `nest` | structure | stock, bed, margins, kerf, grain | chapters |
+//! | `bill` | structure | hardware, materials, prices | chapters, `nest` |
+//! | `plan` | structure | name | skeleton, chapters, `nest`, `bill` |
+//! | `*-files` | patch or structure | what the drawings show | chapters, `nest`, `bill` |
+//!
+//! Names of points and patches are targets of instances, not inputs, up to the chapters: a patch
+//! that is renamed keeps its geometry. Points and patches are declared by name, so their order in
+//! the file does not matter either.
+
+use super::passages::{count, family_target, strip_groups};
+use super::stages::cladding::{
+    CLADDING, CladdingInput, DISTANCES, FEASIBILITY, FeasibilityInput, JUDGEMENT, SIDES,
+};
+use super::stages::fabrication::{
+    ABOVE_FILES, BILL, BillInput, CLADDING_FILES, DrawingInput, LAYOUT_FILES, NEST, NestInput,
+    PLAN_FILE, SHEET_FILES, TABLE_FILES, WORKSHOP,
+};
+use super::stages::layout::{ANCHOR, ANCHORS, Anchors, LINE, PATCH, PatchInput, STATION};
+use super::stages::members::{GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP};
+use super::stages::plan::{
+    CHAPTER, ChapterInput, EdgeInput, PLAN, PlanInput, SKELETON, SkeletonInput,
+};
+use super::stages::surface::{CURVATURE, SURFACE, SurfaceInput};
+use super::{Built, Graph, Node, SourceFile, Warnings};
+use crate::cladding::Clad;
+use crate::diagnostics::{KeyPath, SpanTable};
+use crate::fabrication::nesting::Settings;
+use crate::grid::Section;
+use crate::layout::{Domain, Network, Side, edge_id};
+use crate::members::Member;
+use crate::plan::Plan;
+use crate::project::model::{Family, Patch, Point, Project};
+use crate::splitting::Feasibility;
+use crate::surface::{Curvature, ReadOptions, SurfaceMesh, SurfacePoint};
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+/// How far a graph goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Extent {
+    /// Up to the plan: everything that can be wrong with a design.
+    Plan,
+    /// Up to the files.
+    Files,
+}
+
+/// What a graph is declared from.
+#[derive(Debug, Clone, Copy)]
+pub struct Design<'a> {
+    /// A checked project.
+    pub project: &'a Project,
+    /// Where things stand in its file.
+    pub spans: &'a SpanTable,
+    /// The mesh that it names.
+    pub mesh: &'a SourceFile,
+}
+
+/// Declares the graph of a design.
+pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
+    let Design { project, mesh, .. } = design;
+    let surface = graph.add(
+        &SURFACE,
+        "",
+        SurfaceInput {
+            mesh: mesh.clone(),
+            options: ReadOptions::of(&project.surface),
+        },
+        (),
+    );
+    graph.origin(surface, "", "surface");
+    let curvature = graph.add(&CURVATURE, "", (), surface);
+    let mut points: Vec<Point> = project.points.clone();
+    points.sort_by(|a, b| a.name.cmp(&b.name));
+    let mut patches: Vec<Patch> = project.patches.clone();
+    patches.sort_by(|a, b| a.name.cmp(&b.name));
+
+    let network = Network::new(&points, &patches);
+    let mut lines = Lines::declare(graph, surface, &points, &network);
+    let nodes: Vec<(String, Node<SurfacePoint>)> = points
+        .iter()
+        .map(|point| (point.name.clone(), lines.point(graph, &point.name)))
+        .collect();
+    let told = &mut vec![(String::new(), surface.warnings())];
+    told.push((String::new(), lines.anchors.warnings()));
+    let skeleton = skeleton(graph, surface, curvature, &network, &mut lines, &nodes);
+    let basis = Basis {
+        design,
+        surface,
+        curvature,
+        network: &network,
+    };
+    let planned: Vec<PlannedPatch> = patches
+        .iter()
+        .enumerate()
+        .map(|(i, patch)| plan_patch(graph, &basis, &mut lines, patch, i, told))
+        .collect();
+    let members = weave_strips(graph, project, &patches, &network, &planned);
+    let chapters: Vec<Node<Plan>> = patches
+        .iter()
+        .enumerate()
+        .map(|(i, patch)| chapter(graph, &basis, patch, i, &planned[i], &members, told))
+        .collect();
+
+    let drawing = || DrawingInput {
+        name: project.name.clone(),
+        hardware: project.hardware.clone(),
+        fabrication: project.fabrication.clone(),
+        materials: project.materials.clone(),
+    };
+    let workshops: Vec<Node<()>> = patches
+        .iter()
+        .zip(&chapters)
+        .map(|(patch, chapter)| {
+            let workshop = graph.add(&WORKSHOP, &patch.name, drawing(), *chapter);
+            told.push((patch.name.clone(), workshop.warnings()));
+            workshop
+        })
+        .collect();
+    let nest = graph.add(
+        &NEST,
+        "",
+        NestInput {
+            settings: Settings::new(&project.fabrication),
+            grains: project
+                .materials
+                .iter()
+                .map(|m| (m.name.clone(), m.grain))
+                .collect(),
+        },
+        (chapters.clone(), workshops),
+    );
+    graph.origin(nest, "settings", "fabrication");
+    told.push((String::new(), nest.warnings()));
+    let bill = graph.add(
+        &BILL,
+        "",
+        BillInput {
+            hardware: project.hardware.clone(),
+            materials: project.materials.clone(),
+            stock: project.fabrication.stock.clone(),
+        },
+        (chapters.clone(), nest),
+    );
+    graph.origin(bill, "hardware", "hardware");
+    graph.origin(bill, "stock", "fabrication.stock");
+    told.push((String::new(), bill.warnings()));
+    let (subjects, warnings): (Vec<String>, Vec<Warnings>) = told.iter().cloned().unzip();
+    let plan = graph.add(
+        &PLAN,
+        "",
+        PlanInput {
+            name: project.name.clone(),
+            subjects,
+        },
+        (skeleton, chapters.clone(), nest, bill, warnings),
+    );
+    graph.origin(plan, "name", "project.name");
+    if extent == Extent::Plan {
+        return;
+    }
+
+    let plan_file = graph.add(&PLAN_FILE, "", (), plan);
+    graph.publish(plan_file);
+    for (patch, chapter) in patches.iter().zip(&chapters) {
+        let plot = graph.add(&CLADDING_FILES, &patch.name, (), *chapter);
+        graph.publish(plot);
+        let flat = graph.add(&LAYOUT_FILES, &patch.name, drawing(), *chapter);
+        drawing_origins(graph, flat);
+        graph.publish(flat);
+    }
+    let above = graph.add(
+        &ABOVE_FILES,
+        "",
+        project.name.clone(),
+        (skeleton, chapters.clone()),
+    );
+    graph.origin(above, "", "project.name");
+    graph.publish(above);
+    let sheets = graph.add(&SHEET_FILES, "", drawing(), (chapters.clone(), nest));
+    drawing_origins(graph, sheets);
+    graph.publish(sheets);
+    let tables = graph.add(&TABLE_FILES, "", drawing(), (chapters, nest, bill));
+    drawing_origins(graph, tables);
+    graph.publish(tables);
+}
+
+/// The plan of a finished build.
+pub fn plan_of(built: &Built) -> Option<Arc<Plan>> {
+    built.output(&PLAN, "")
+}
+
+fn drawing_origins(graph: &mut Graph<'_>, node: Node<super::Files>) {
+    graph.origin(node, "name", "project.name");
+    graph.origin(node, "hardware", "hardware");
+    graph.origin(node, "fabrication", "fabrication");
+}
+
+/// Lines and points, declared when they are first asked for: a line needs its ends, and an end may
+/// stand on another line.
+struct Lines<'n> {
+    surface: Node<SurfaceMesh>,
+    anchors: Node<Anchors>,
+    network: &'n Network,
+    points: BTreeMap<String, Node<SurfacePoint>>,
+    declared: BTreeMap<usize, Node<Side>>,
+}
+
+impl<'n> Lines<'n> {
+    fn declare(
+        graph: &mut Graph<'_>,
+        surface: Node<SurfaceMesh>,
+        points: &[Point],
+        network: &'n Network,
+    ) -> Self {
+        let list = points
+            .iter()
+            .map(|p| (p.name.clone(), p.anchor.clone()))
+            .collect();
+        let anchors = graph.add(&ANCHORS, "", list, surface);
+        for (i, point) in points.iter().enumerate() {
+            graph.origin(anchors, format!("[{i}]"), key(&["points", &point.name]));
+        }
+        Self {
+            surface,
+            anchors,
+            network,
+            points: BTreeMap::new(),
+            declared: BTreeMap::new(),
+        }
+    }
+
+    /// An anchor, by name.
+    fn point(&mut self, graph: &mut Graph<'_>, name: &str) -> Node<SurfacePoint> {
+        if let Some(node) = self.points.get(name) {
+            return *node;
+        }
+        // A station strictly inside a line stands on it; the ends of a line have a place of
+        // their own, or stand on another line.
+        let host = self
+            .network
+            .lines
+            .iter()
+            .enumerate()
+            .find_map(|(index, line)| {
+                let last = line.stations.len() - 1;
+                let station = line.stations[1..last].iter().find(|s| s.name == name)?;
+                Some((index, station.share))
+            });
+        let node = match host {
+            Some((index, share)) => {
+                let line = self.line(graph, index);
+                let node = graph.add(&STATION, name, share, (self.surface, line));
+                graph.origin(node, "", key(&["points", name, "at"]));
+                node
+            }
+            None => graph.add(&ANCHOR, name, name.to_owned(), self.anchors),
+        };
+        self.points.insert(name.to_owned(), node);
+        node
+    }
+
+    /// A line, by its index in the network.
+    fn line(&mut self, graph: &mut Graph<'_>, index: usize) -> Node<Side> {
+        if let Some(node) = self.declared.get(&index) {
+            return *node;
+        }
+        let network = self.network;
+        let line = &network.lines[index];
+        let ends = line.ends().map(|name| self.point(graph, name));
+        let node = graph.add(&LINE, line.id(), (), (self.surface, ends[0], ends[1]));
+        graph.origin(node, "", key(&["points", line.ends()[0]]));
+        self.declared.insert(index, node);
+        node
+    }
+}
+
+fn skeleton(
+    graph: &mut Graph<'_>,
+    surface: Node<SurfaceMesh>,
+    curvature: Node<Curvature>,
+    network: &Network,
+    lines: &mut Lines<'_>,
+    points: &[(String, Node<SurfacePoint>)],
+) -> Node<Plan> {
+    // Each stretch between neighbouring stations that is part of a side is an edge.
+    let mut edges: BTreeMap<(usize, usize), EdgeInput> = BTreeMap::new();
+    let mut used: Vec<usize> = Vec::new();
+    for piece in network.sides.iter().flatten() {
+        for (i, j) in piece.segments() {
+            let stations = &network.lines[piece.line].stations;
+            let position = used
+                .iter()
+                .position(|&l| l == piece.line)
+                .unwrap_or_else(|| {
+                    used.push(piece.line);
+                    used.len() - 1
+                });
+            let (mut from, mut to) = (&stations[i], &stations[j]);
+            if from.name > to.name {
+                (from, to) = (to, from);
+            }
+            edges.entry((piece.line, i)).or_insert_with(|| EdgeInput {
+                from: from.name.clone(),
+                to: to.name.clone(),
+                line: position as u32,
+                shares: [from.share, to.share],
+            });
+        }
+    }
+    let line_nodes = used.iter().map(|&index| lines.line(graph, index)).collect();
+    let input = SkeletonInput {
+        points: points.iter().map(|(name, _)| name.clone()).collect(),
+        edges: edges.into_values().collect(),
+    };
+    let point_nodes = points.iter().map(|(_, node)| *node).collect();
+    graph.add(
+        &SKELETON,
+        "",
+        input,
+        (surface, curvature, point_nodes, line_nodes),
+    )
+}
+
+/// What all patches share.
+struct Basis<'a> {
+    design: Design<'a>,
+    surface: Node<SurfaceMesh>,
+    curvature: Node<Curvature>,
+    network: &'a Network,
+}
+
+/// A patch up to its plan.
+struct PlannedPatch {
+    domain: Node<Domain>,
+    clad: Node<Clad>,
+    feasibility: Node<Feasibility>,
+    judgement: Node<bool>,
+}
+
+fn plan_patch(
+    graph: &mut Graph<'_>,
+    basis: &Basis<'_>,
+    lines: &mut Lines<'_>,
+    patch: &Patch,
+    index: usize,
+    told: &mut Vec<(String, Warnings)>,
+) -> PlannedPatch {
+    let Basis {
+        design,
+        surface,
+        curvature,
+        network,
+    } = *basis;
+    let project = design.project;
+    let name = &patch.name;
+    let here = key(&["patches", name]);
+    let pieces = network.sides[index];
+    let corners = pieces
+        .map(|piece| [piece.from, piece.to].map(|i| network.lines[piece.line].stations[i].share));
+    let [first, second, third, fourth] = pieces.map(|piece| lines.line(graph, piece.line));
+    let needs = (surface, (first, second, third, fourth));
+    let domain = graph.add(&PATCH, name, PatchInput { corners }, needs);
+    graph.origin(domain, "", &here);
+    graph.origin(domain, "corners", format!("{here}.corners"));
+
+    let sides = graph.add(&SIDES, name, (), domain);
+    let [u, v] = [Family::U, Family::V].map(|family| {
+        let node = graph.add(&DISTANCES, family_target(name, family), family, domain);
+        graph.origin(node, "", &here);
+        told.push((name.clone(), node.warnings()));
+        node
+    });
+    let input = CladdingInput {
+        alpha: patch.alpha,
+        slope: project.split.slope,
+        members: [Family::U, Family::V].map(|family| count(patch, family)),
+        width: patch.lamella.width,
+    };
+    let clad = graph.add(&CLADDING, name, input, (sides, u, v));
+    graph.origin(clad, "", &here);
+    graph.origin(clad, "slope", "split.slope");
+    graph.origin(clad, "width", lamella_key(design.spans, name, "width"));
+
+    let feasibility = graph.add(&FEASIBILITY, name, (), (surface, curvature, domain));
+    graph.origin(feasibility, "", &here);
+    let input = FeasibilityInput {
+        eta_max: project.split.eta_max,
+    };
+    let judgement = graph.add(&JUDGEMENT, name, input, (feasibility, clad));
+    graph.origin(judgement, "", &here);
+    graph.origin(judgement, "eta_max", "split.eta_max");
+    told.push((name.clone(), judgement.warnings()));
+    PlannedPatch {
+        domain,
+        clad,
+        feasibility,
+        judgement,
+    }
+}
+
+type MembersOf = BTreeMap<(usize, Family), Node<Vec<Member>>>;
+
+/// Members of all strips, and of each family of each patch out of them.
+fn weave_strips(
+    graph: &mut Graph<'_>,
+    project: &Project,
+    patches: &[Patch],
+    network: &Network,
+    planned: &[PlannedPatch],
+) -> MembersOf {
+    let mut members = MembersOf::new();
+    for group in strip_groups(project, patches, network) {
+        let patches_in = || group.passages.iter().map(|&(patch, _)| &planned[patch]);
+        let clads: Vec<Node<Clad>> = patches_in().map(|p| p.clad).collect();
+        let domains = patches_in().map(|p| p.domain).collect();
+        let schedule = graph.add(&SCHEDULE, &group.name, group.input.clone(), clads.clone());
+        let needs = (domains, clads, schedule);
+        let strip = graph.add(&STRIP, &group.name, group.input, needs);
+        for (i, &(patch, family)) in group.passages.iter().enumerate() {
+            let name = &patches[patch].name;
+            let here = key(&["patches", name]);
+            strip_origins(graph, schedule, i, &here);
+            strip_origins(graph, strip, i, &here);
+            let node = graph.add(&MEMBERS, family_target(name, family), i as u32, strip);
+            members.insert((patch, family), node);
+        }
+    }
+    members
+}
+
+/// Where the fields of a passage come from.
+fn strip_origins<T>(graph: &mut Graph<'_>, node: Node<T>, passage: usize, patch: &str) {
+    let field = format!("passages[{passage}]");
+    graph.origin(node, format!("{field}.count"), format!("{patch}.members"));
+    graph.origin(node, format!("{field}.weights"), "distribution.weights");
+    graph.origin(node, field, patch);
+}
+
+fn chapter(
+    graph: &mut Graph<'_>,
+    basis: &Basis<'_>,
+    patch: &Patch,
+    index: usize,
+    planned: &PlannedPatch,
+    members: &MembersOf,
+    told: &mut Vec<(String, Warnings)>,
+) -> Node<Plan> {
+    let Basis {
+        design, network, ..
+    } = *basis;
+    let name = &patch.name;
+    let here = key(&["patches", name]);
+    let PlannedPatch {
+        domain,
+        clad,
+        feasibility,
+        judgement,
+    } = *planned;
+    let [u, v] = [Family::U, Family::V].map(|family| members[&(index, family)]);
+    let grid = graph.add(&GRID, name, (), (domain, u, v));
+    graph.origin(grid, "", &here);
+    let section = section(design.project, patch);
+    let lamellae = graph.add(&LAMELLAE, name, section.clone(), (u, v, grid));
+    graph.origin(lamellae, "", &here);
+    for field in ["width", "thickness"] {
+        graph.origin(lamellae, field, lamella_key(design.spans, name, field));
+    }
+    graph.origin(lamellae, "end_margin", "fabrication.end_margin");
+    graph.origin(lamellae, "clearance", "fabrication.clearance");
+    graph.origin(lamellae, "bolt", "hardware.bolt");
+    graph.origin(lamellae, "slider", "hardware.shell");
+    graph.origin(
+        lamellae,
+        "density",
+        key(&["materials", &patch.lamella.material, "density"]),
+    );
+    told.push((name.clone(), lamellae.warnings()));
+
+    let sides = network.sides[index].map(|piece| {
+        let stations = &network.lines[piece.line].stations;
+        piece
+            .segments()
+            .map(|(i, j)| edge_id(&stations[i].name, &stations[j].name))
+            .collect()
+    });
+    let input = ChapterInput {
+        patch: name.clone(),
+        corners: patch.corners.clone(),
+        sides,
+        material: patch.lamella.material.clone(),
+        section,
+    };
+    let needs = (domain, clad, feasibility, judgement, u, v, grid, lamellae);
+    let chapter = graph.add(&CHAPTER, name, input, needs);
+    graph.origin(chapter, "", &here);
+    graph.origin(
+        chapter,
+        "material",
+        lamella_key(design.spans, name, "material"),
+    );
+    chapter
+}
+
+/// What shapes the lamellae of a patch.
+fn section(project: &Project, patch: &Patch) -> Section {
+    let hardware = &project.hardware;
+    let material = project
+        .materials
+        .iter()
+        .find(|m| m.name == patch.lamella.material);
+    Section {
+        width: patch.lamella.width,
+        thickness: patch.lamella.thickness,
+        end_margin: project
+            .fabrication
+            .end_margin
+            .unwrap_or(patch.lamella.width),
+        bolt: hardware.bolt.diameter,
+        slider: hardware
+            .shell
+            .as_ref()
+            .map_or(hardware.bolt.diameter, |s| s.diameter),
+        clearance: project.fabrication.clearance,
+        // A checked project knows the materials of its lamellae.
+        density: material.map_or(0.0, |m| m.density),
+    }
+}
+
+/// Where the project says a lamella's field of a patch: the patch's own, or the common one.
+fn lamella_key(spans: &SpanTable, patch: &str, field: &str) -> String {
+    let own = key(&["lamella", patch, field]);
+    if spans.contains(&own) {
+        own
+    } else {
+        key(&["lamella", field])
+    }
+}
+
+/// A key path of the project.
+fn key(parts: &[&str]) -> String {
+    KeyPath::of(parts.iter().copied()).into()
+}

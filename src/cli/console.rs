@@ -1,0 +1,134 @@
+//! The terminal: the only place of the program that prints.
+
+use super::args::{ColorWhen, Global, MessageFormat};
+use crate::diagnostics::render::{Sources, Style, human, json_lines};
+use crate::diagnostics::{Diagnostic, Severity};
+use serde::Serialize;
+use std::io::{self, IsTerminal, Write};
+
+/// Where and how things are said.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Console {
+    format: MessageFormat,
+    style: Style,
+    quiet: bool,
+    terminal: bool,
+    /// Standard output holds a document, so that records for programs go to standard error.
+    document: bool,
+}
+
+impl Console {
+    pub(super) fn new(global: &Global) -> Self {
+        let terminal = io::stderr().is_terminal();
+        Self {
+            format: global.message_format,
+            style: style(global.color, terminal),
+            quiet: global.quiet,
+            terminal,
+            document: false,
+        }
+    }
+
+    /// The same for a command whose result is a document on standard output.
+    pub(super) fn with_document(self) -> Self {
+        Self {
+            document: true,
+            ..self
+        }
+    }
+
+    /// Whether a progress bar can be drawn and is wanted.
+    pub(super) fn draws_progress(self) -> bool {
+        self.terminal && !self.quiet && self.format == MessageFormat::Human
+    }
+
+    pub(super) fn is_json(self) -> bool {
+        self.format == MessageFormat::Json
+    }
+
+    /// Tells diagnostics; `quiet` leaves errors only.
+    pub(super) fn tell(self, diagnostics: &[Diagnostic], sources: &Sources<'_>) {
+        let wanted: Vec<Diagnostic> = diagnostics
+            .iter()
+            .filter(|d| !self.quiet || d.severity == Severity::Error)
+            .cloned()
+            .collect();
+        match self.format {
+            MessageFormat::Human => err(&human(&wanted, sources, self.style)),
+            MessageFormat::Json => self.records(&json_lines(&wanted, sources)),
+        }
+    }
+
+    /// A line about what was done: a right-aligned verb, then what.
+    pub(super) fn status(self, verb: &str, what: &str) {
+        if self.quiet || self.is_json() {
+            return;
+        }
+        if self.style == Style::Colour {
+            err(&format!("\u{1b}[1;32m{verb:>12}\u{1b}[0m {what}\n"));
+        } else {
+            err(&format!("{verb:>12} {what}\n"));
+        }
+    }
+
+    /// An error of usage, about no place in a file.
+    pub(super) fn complain(self, message: &str, help: Option<&str>) {
+        let help = help.map_or(String::new(), |help| format!("  help: {help}\n"));
+        if self.is_json() {
+            self.record(&Complaint {
+                reason: "usage-error",
+                message,
+            });
+        } else {
+            err(&format!("error: {message}\n{help}"));
+        }
+    }
+
+    /// A record for programs.
+    pub(super) fn record(self, record: &impl Serialize) {
+        if !self.is_json() {
+            return;
+        }
+        if let Ok(line) = serde_json::to_string(record) {
+            self.records(&format!("{line}\n"));
+        }
+    }
+
+    fn records(self, lines: &str) {
+        if self.document {
+            err(lines);
+        } else {
+            out(lines);
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Complaint<'a> {
+    reason: &'static str,
+    message: &'a str,
+}
+
+/// Writes a result. A reader that has had enough is no error.
+pub(super) fn out(text: &str) {
+    let _ = io::stdout().lock().write_all(text.as_bytes());
+}
+
+/// Writes a message.
+fn err(text: &str) {
+    let _ = io::stderr().lock().write_all(text.as_bytes());
+}
+
+fn style(when: ColorWhen, terminal: bool) -> Style {
+    let set = |name: &str| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    let dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+    let colour = match when {
+        ColorWhen::Always => true,
+        ColorWhen::Never => false,
+        ColorWhen::Auto if set("NO_COLOR") => false,
+        ColorWhen::Auto if set("FORCE_COLOR") || set("CLICOLOR_FORCE") => true,
+        ColorWhen::Auto if dumb => return Style::Narrated,
+        ColorWhen::Auto => terminal,
+    };
+    if colour { Style::Colour } else { Style::Plain }
+}

@@ -1,0 +1,240 @@
+//! A project file on disk: found, read, checked, with the texts that diagnostics point into.
+
+use super::console::Console;
+use super::exit::Exit;
+use crate::diagnostics::render::{Source, Sources};
+use crate::diagnostics::{Code, Diagnostic, Severity};
+use crate::project::model::Project;
+use crate::project::{Capability, Loaded, Notation, decode, load, unbuilt};
+use std::path::{Path, PathBuf};
+
+const UNREADABLE_MESH: Code = Code::new("E0901");
+const OUTSIDE: Code = Code::new("E0902");
+
+/// What the pipeline does beyond cutting lamellae from patches as they stand.
+const BUILT: [Capability; 3] = [
+    Capability::Shells,
+    Capability::KerfCompensation,
+    Capability::Costs,
+];
+
+/// A project file that was read.
+#[derive(Debug)]
+pub(super) struct Opened {
+    path: PathBuf,
+    text: String,
+    /// What it says.
+    pub(super) loaded: Loaded,
+    /// The text of the mesh, if diagnostics point into it.
+    mesh_text: Option<String>,
+}
+
+impl Opened {
+    /// Finds and reads a project file and tells what is wrong with it.
+    pub(super) fn open(console: Console, given: Option<&Path>) -> Result<Self, Exit> {
+        let path = match given {
+            Some(path) => path.to_owned(),
+            None => find(console)?,
+        };
+        let notation = match path.extension().and_then(|e| e.to_str()) {
+            Some("ron") => Notation::Ron,
+            Some("toml") => Notation::Toml,
+            _ => {
+                console.complain(
+                    &format!("`{}` is no project file", path.display()),
+                    Some("project files end in .toml or .ron"),
+                );
+                return Err(Exit::Usage);
+            }
+        };
+        let bytes = std::fs::read(&path).map_err(|error| {
+            console.complain(&format!("cannot read `{}`: {error}", path.display()), None);
+            Exit::Usage
+        })?;
+        let stem = path
+            .file_stem()
+            .map_or_else(String::new, |s| s.to_string_lossy().into_owned());
+        let (text, mut loaded) = match decode(&bytes) {
+            Ok(text) => (text.to_owned(), load(text, notation, &stem)),
+            Err(diagnostics) => {
+                let lossy = String::from_utf8_lossy(&bytes).into_owned();
+                let empty = load("", notation, &stem);
+                (
+                    lossy,
+                    Loaded {
+                        project: None,
+                        diagnostics,
+                        ..empty
+                    },
+                )
+            }
+        };
+        let missing = unbuilt(&loaded, &BUILT);
+        loaded.diagnostics.extend(missing);
+        Ok(Self {
+            path,
+            text,
+            loaded,
+            mesh_text: None,
+        })
+    }
+
+    /// The model, or the end of the command when there are errors.
+    pub(super) fn project(&self) -> Result<&Project, Exit> {
+        self.loaded.project.as_ref().ok_or(Exit::Errors)
+    }
+
+    /// The folder of the project file.
+    pub(super) fn folder(&self) -> &Path {
+        match self.path.parent() {
+            Some(parent) if parent != Path::new("") => parent,
+            _ => Path::new("."),
+        }
+    }
+
+    /// Where the mesh lies; it may not leave the repository of the project, or its folder where
+    /// there is no repository.
+    pub(super) fn mesh_path(&self, project: &Project) -> Result<PathBuf, Diagnostic> {
+        let path = self.folder().join(&project.surface.mesh);
+        let refuse = |code, message: String| {
+            Diagnostic::error(code, message).at_key("surface.mesh", "this file")
+        };
+        let real = path.canonicalize().map_err(|error| {
+            refuse(
+                UNREADABLE_MESH,
+                format!("cannot read the mesh `{}`: {error}", project.surface.mesh),
+            )
+            .help("paths are relative to the project file")
+        })?;
+        let folder = self
+            .folder()
+            .canonicalize()
+            .unwrap_or_else(|_| self.folder().to_owned());
+        let root = folder
+            .ancestors()
+            .find(|a| a.join(".git").exists())
+            .unwrap_or(&folder);
+        if real.starts_with(root) {
+            Ok(path)
+        } else {
+            Err(refuse(
+                OUTSIDE,
+                format!(
+                    "the mesh `{}` lies outside the project",
+                    project.surface.mesh
+                ),
+            )
+            .help(
+                "copy it into the project's folder, so that whoever has the project has the mesh",
+            ))
+        }
+    }
+
+    /// Reads the mesh's text if one of the diagnostics points into it.
+    pub(super) fn fetch_mesh_text(&mut self, diagnostics: &[Diagnostic]) {
+        use crate::diagnostics::{File, Place};
+        let into_mesh = diagnostics.iter().flat_map(|d| &d.labels).any(|label| {
+            matches!(
+                label.place,
+                Place::Bytes {
+                    file: File::Mesh,
+                    ..
+                }
+            )
+        });
+        if let Some(project) = self.loaded.project.as_ref().filter(|_| into_mesh) {
+            let path = self.folder().join(&project.surface.mesh);
+            // Byte ranges count bytes of the file; characters that are no UTF-8 keep one place
+            // each, so that the places after them stay right.
+            self.mesh_text = std::fs::read(path)
+                .ok()
+                .map(|bytes| match String::from_utf8(bytes) {
+                    Ok(text) => text,
+                    Err(error) => error
+                        .into_bytes()
+                        .into_iter()
+                        .map(|byte| {
+                            if byte.is_ascii() {
+                                char::from(byte)
+                            } else {
+                                '?'
+                            }
+                        })
+                        .collect(),
+                });
+        }
+    }
+
+    /// Tells diagnostics about this project.
+    pub(super) fn tell(&self, console: Console, diagnostics: &[Diagnostic]) {
+        let name = self.path.to_string_lossy().replace('\\', "/");
+        let mesh_name = self.loaded.project.as_ref().map(|p| p.surface.mesh.clone());
+        let sources = Sources {
+            project: Source {
+                name: &name,
+                text: &self.text,
+            },
+            spans: &self.loaded.spans,
+            mesh: self
+                .mesh_text
+                .as_deref()
+                .zip(mesh_name.as_deref())
+                .map(|(text, name)| Source { name, text }),
+        };
+        console.tell(diagnostics, &sources);
+    }
+}
+
+/// Whether any of these is an error.
+pub(super) fn has_errors(diagnostics: &[Diagnostic]) -> bool {
+    diagnostics.iter().any(|d| d.severity == Severity::Error)
+}
+
+/// The one project file of the current folder.
+fn find(console: Console) -> Result<PathBuf, Exit> {
+    let entries = std::fs::read_dir(".").map_err(|error| {
+        console.complain(&format!("cannot read the current folder: {error}"), None);
+        Exit::Usage
+    })?;
+    let mut candidates: Vec<PathBuf> = entries
+        .flatten()
+        .map(|entry| PathBuf::from(entry.file_name()))
+        .filter(|path| {
+            let ending = path.extension().and_then(|e| e.to_str());
+            ending == Some("ron") || ending == Some("toml") && is_project(path)
+        })
+        .collect();
+    candidates.sort();
+    match candidates.as_slice() {
+        [one] => Ok(one.clone()),
+        [] => {
+            console.complain(
+                "there is no project file in this folder",
+                Some("name one, or start a project with `egg init NAME`"),
+            );
+            Err(Exit::Usage)
+        }
+        several => {
+            let names: Vec<_> = several
+                .iter()
+                .map(|p| format!("`{}`", p.display()))
+                .collect();
+            console.complain(
+                &format!(
+                    "there are several project files in this folder: {}",
+                    names.join(", ")
+                ),
+                Some("name the one to use"),
+            );
+            Err(Exit::Usage)
+        }
+    }
+}
+
+/// Other programs keep TOML files too (Cargo.toml): a project has a `[surface]`.
+fn is_project(path: &Path) -> bool {
+    std::fs::read_to_string(path).is_ok_and(|text| {
+        text.lines()
+            .any(|line| line.trim_start().starts_with("[surface]"))
+    })
+}

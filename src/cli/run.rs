@@ -1,0 +1,152 @@
+//! Running the engine for a command.
+
+use super::args::Global;
+use super::console::Console;
+use super::design::{Opened, has_errors};
+use super::exit::Exit;
+use super::progress::Progress;
+use crate::build::graph::{Design, Extent, declare};
+use crate::build::{
+    Built, CacheNames, CancelToken, Engine, Graph, Request, Settings, SourceFile, cache_directory,
+};
+use crate::project::model::Project;
+use std::path::PathBuf;
+
+/// A checked project with the engine that compiles it.
+pub(super) struct Job {
+    pub(super) opened: Opened,
+    pub(super) engine: Engine,
+    pub(super) output: PathBuf,
+    mesh: SourceFile,
+    console: Console,
+}
+
+impl Job {
+    /// Prepares an engine; tells what is wrong with the project file.
+    pub(super) fn prepare(console: Console, global: &Global, opened: Opened) -> Result<Self, Exit> {
+        opened.tell(console, &opened.loaded.diagnostics);
+        let project = opened.project()?;
+        let mesh_path = opened.mesh_path(project).map_err(|diagnostic| {
+            opened.tell(console, &[diagnostic]);
+            Exit::Errors
+        })?;
+        let output = output_directory(global, &opened, project);
+        let mut engine = Engine::open(settings(console, global, &output)?);
+        let mesh = engine.source(&mesh_path).map_err(|error| {
+            console.complain(
+                &format!("cannot read `{}`: {error}", mesh_path.display()),
+                None,
+            );
+            Exit::Errors
+        })?;
+        Ok(Self {
+            opened,
+            engine,
+            output,
+            mesh,
+            console,
+        })
+    }
+
+    /// Builds up to an extent; tells diagnostics.
+    pub(super) fn build(&mut self, request: &Request, extent: Extent) -> Result<Built, Exit> {
+        let cancel = CancelToken::default();
+        listen(&cancel);
+        let progress = Progress::new(self.console);
+        let (opened, mesh) = (&self.opened, &self.mesh);
+        let project = opened.project()?;
+        let design = Design {
+            project,
+            spans: &opened.loaded.spans,
+            mesh,
+        };
+        let built = self.engine.build(
+            request,
+            &|graph: &mut Graph<'_>| declare(graph, design, extent),
+            &cancel,
+            &mut |event| progress.show(event),
+        );
+        progress.finish();
+        let allowed = &project.allowed_lints;
+        let told = crate::diagnostics::without_allowed(built.diagnostics.clone(), allowed);
+        self.opened.fetch_mesh_text(&told);
+        self.opened.tell(self.console, &told);
+        if built.cancelled {
+            return Err(Exit::Interrupted);
+        }
+        Ok(built)
+    }
+
+    /// What a build would do.
+    pub(super) fn plan(
+        &self,
+        request: &Request,
+        extent: Extent,
+    ) -> Result<crate::build::Plan, Exit> {
+        let project = self.opened.project()?;
+        let design = Design {
+            project,
+            spans: &self.opened.loaded.spans,
+            mesh: &self.mesh,
+        };
+        Ok(self.engine.plan(request, &|graph: &mut Graph<'_>| {
+            declare(graph, design, extent);
+        }))
+    }
+
+    /// Errors of the project file do not stop here, those of stages do.
+    pub(super) fn verdict(built: &Built) -> Exit {
+        if built.succeeded() && !has_errors(&built.diagnostics) {
+            Exit::Done
+        } else {
+            Exit::Errors
+        }
+    }
+}
+
+fn output_directory(global: &Global, opened: &Opened, project: &Project) -> PathBuf {
+    let folder = crate::fabrication::names::file_name(&project.name);
+    global
+        .out
+        .clone()
+        .unwrap_or_else(|| opened.folder().join("build").join(folder))
+}
+
+fn settings(console: Console, global: &Global, output: &std::path::Path) -> Result<Settings, Exit> {
+    let names = CacheNames {
+        option: global.cache_dir.clone(),
+        variable: std::env::var_os("EGG_CACHE_DIR"),
+    };
+    let Some(cache) = cache_directory(&names, &|name| std::env::var_os(name)) else {
+        console.complain(
+            "there is no place for the cache: neither HOME nor a cache directory is set",
+            Some("name one with `--cache-dir` or EGG_CACHE_DIR"),
+        );
+        return Err(Exit::Usage);
+    };
+    let mut settings = Settings::new(cache, output);
+    if let Some(jobs) = global.jobs {
+        settings.jobs = jobs.into();
+    }
+    if cfg!(debug_assertions) {
+        settings.build_id = build_id();
+    }
+    Ok(settings)
+}
+
+/// What tells this binary from the one compiled before it.
+fn build_id() -> Option<String> {
+    let metadata = std::env::current_exe().ok()?.metadata().ok()?;
+    Some(format!(
+        "{:?} {}",
+        metadata.modified().ok()?,
+        metadata.len()
+    ))
+}
+
+/// Stops a build on Ctrl-C: what is finished is kept.
+fn listen(cancel: &CancelToken) {
+    let cancel = cancel.clone();
+    // A second handler in one process is refused; the first one still listens.
+    let _already = ctrlc::set_handler(move || cancel.cancel());
+}

@@ -1,0 +1,233 @@
+//! The flat layout of a patch: its lamellae at true size where they lie when the grid is bolted
+//! together flat, seen from the top, the u-family above the v-family.
+//!
+//! It is the drawing to assemble by: every lamella with its id at both ends, its openings, and
+//! the bolts where they stand in the flat state. Frame: the patch's planar frame in millimetres,
+//! moved into the first quadrant.
+
+use super::drawing::{Anchor, Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text};
+use super::part::{opening_shape, outline, short_id};
+use super::sheet::trim;
+use super::stroke_font;
+use super::units::MM;
+use crate::plan::{CrossingRecord, LamellaRecord, MemberRecord, PatchRecord};
+use crate::project::model::Family;
+
+/// A patch with everything that lies flat.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FlatPatch<'a> {
+    /// The project's name.
+    pub project: &'a str,
+    /// The patch.
+    pub patch: &'a PatchRecord,
+    /// Its members with their lamellae.
+    pub lamellae: Vec<(&'a MemberRecord, &'a LamellaRecord)>,
+    /// Its crossings.
+    pub crossings: Vec<&'a CrossingRecord>,
+    /// Nominal diameter of the bolts, metres.
+    pub bolt: f64,
+}
+
+/// A member's line in the plane, millimetres.
+struct Line {
+    start: [f64; 2],
+    direction: [f64; 2],
+    length: f64,
+}
+
+impl Line {
+    fn new(member: &MemberRecord) -> Self {
+        let [a, b] = member.planar.map(|point| point.map(|v| v * MM));
+        let [dx, dy] = [b[0] - a[0], b[1] - a[1]];
+        let length = libm::hypot(dx, dy);
+        // A member without length has no direction; its lamella is drawn along x.
+        let direction = if length > 0.0 {
+            [dx / length, dy / length]
+        } else {
+            [1.0, 0.0]
+        };
+        Self {
+            start: a,
+            direction,
+            length,
+        }
+    }
+
+    /// The point at (`x` along, `y` to the left).
+    fn at(&self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let [c, s] = self.direction;
+        [self.start[0] + c * x - s * y, self.start[1] + s * x + c * y]
+    }
+
+    fn angle(&self) -> f64 {
+        libm::atan2(self.direction[1], self.direction[0])
+    }
+}
+
+/// Draws the layout.
+pub fn draw(flat: &FlatPatch<'_>) -> Drawing {
+    let mut drawing = Drawing::new(
+        format!("{} {}: flat layout", flat.project, flat.patch.id),
+        [0.0; 2],
+        Palette::People,
+    );
+    let extent = extent(flat);
+    let height = letter_height(flat, extent);
+    drawing.pen = extent / 500.0;
+    for &(member, lamella) in &flat.lamellae {
+        draw_lamella(&mut drawing, member, lamella);
+        draw_ids(&mut drawing, flat, member, lamella, height);
+    }
+    for crossing in &flat.crossings {
+        let centre = crossing.planar.map(|v| v * MM);
+        let radius = 0.5 * flat.bolt * MM;
+        drawing.draw(Layer::Bolt, &crossing.id, Shape::Circle { centre, radius });
+    }
+    frame(&mut drawing, flat, extent);
+    drawing
+}
+
+fn draw_lamella(drawing: &mut Drawing, member: &MemberRecord, lamella: &LamellaRecord) {
+    let line = Line::new(member);
+    let margin = lamella.end_margin * MM;
+    let half = 0.5 * lamella.width * MM;
+    let lay = |[x, y]: [f64; 2]| line.at([x - margin, y - half]);
+    let (strip, opening) = match member.family {
+        Family::U => (Layer::LamellaU, Layer::OpeningU),
+        Family::V => (Layer::LamellaV, Layer::OpeningV),
+    };
+    drawing.draw(strip, &lamella.id, outline(lamella, 0.0).mapped(lay));
+    for record in &lamella.openings {
+        let shape = match opening_shape(lamella, record, 0.0) {
+            Shape::Path(path) => Shape::Path(path.mapped(lay)),
+            Shape::Circle { centre, radius } => Shape::Circle {
+                centre: lay(centre),
+                radius,
+            },
+            other @ Shape::Text(_) => other,
+        };
+        drawing.draw(opening, &lamella.id, shape);
+    }
+}
+
+/// The id beyond both tips, readable from below or from the right.
+fn draw_ids(
+    drawing: &mut Drawing,
+    flat: &FlatPatch<'_>,
+    member: &MemberRecord,
+    lamella: &LamellaRecord,
+    height: f64,
+) {
+    let line = Line::new(member);
+    let reach = lamella.end_margin * MM + 0.8 * height;
+    let angle = line.angle();
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let upright = angle > -quarter + 1e-9 && angle <= quarter + 1e-9;
+    let (angle, side, before, after) = if upright {
+        (angle, -0.5 * height, Anchor::End, Anchor::Start)
+    } else {
+        let turned = angle + core::f64::consts::PI;
+        (turned, 0.5 * height, Anchor::Start, Anchor::End)
+    };
+    for (x, anchor) in [(-reach, before), (line.length + reach, after)] {
+        let text = Text::new(
+            short_id(&lamella.id, &flat.patch.id),
+            line.at([x, side]),
+            height,
+        );
+        drawing.draw(
+            Layer::Label,
+            &lamella.id,
+            text.anchored(anchor).turned(angle),
+        );
+    }
+}
+
+/// Letters as large as neighbouring ends leave room for.
+fn letter_height(flat: &FlatPatch<'_>, extent: f64) -> f64 {
+    let mut room = extent / 60.0;
+    for family in [Family::U, Family::V] {
+        let mut lines: Vec<(u32, Line)> = flat
+            .lamellae
+            .iter()
+            .filter(|(member, _)| member.family == family)
+            .map(|(member, _)| (member.index, Line::new(member)))
+            .collect();
+        lines.sort_by_key(|(index, _)| *index);
+        for pair in lines.windows(2) {
+            let (a, b) = (&pair[0].1, &pair[1].1);
+            for x in [0.0, a.length] {
+                let from = a.at([x, 0.0]);
+                let to = b.at([if x == 0.0 { 0.0 } else { b.length }, 0.0]);
+                // Distance across the reading direction.
+                let [c, s] = a.direction;
+                let gap = (c * (to[1] - from[1]) - s * (to[0] - from[0])).abs();
+                room = room.min(0.7 * gap);
+            }
+        }
+    }
+    room.max(extent / 400.0)
+}
+
+fn extent(flat: &FlatPatch<'_>) -> f64 {
+    let mut bounds = Bounds::EMPTY;
+    for (member, _) in &flat.lamellae {
+        for point in member.planar {
+            bounds.add(point.map(|v| v * MM));
+        }
+    }
+    if bounds.is_empty() {
+        1.0
+    } else {
+        let [width, height] = bounds.size();
+        width.max(height).max(1.0)
+    }
+}
+
+/// Moves the drawing into the first quadrant and adds title and scale below it.
+fn frame(drawing: &mut Drawing, flat: &FlatPatch<'_>, extent: f64) {
+    let bounds = drawing.bounds();
+    if bounds.is_empty() {
+        drawing.size = [extent; 2];
+        return;
+    }
+    let border = extent / 40.0;
+    let band = extent / 12.0;
+    let shift = [border - bounds.min[0], border + band - bounds.min[1]];
+    for entity in &mut drawing.entities {
+        entity.shape = entity.shape.translated(shift);
+    }
+    let [width, height] = bounds.size();
+    drawing.size = [width + 2.0 * border, height + 2.0 * border + band];
+
+    let bar = super::units::round_length(extent / 5.0);
+    let letters = extent / 70.0;
+    let y = border + 1.2 * letters;
+    for line in [
+        [[border, y], [border + bar, y]],
+        [[border, y - 0.5 * letters], [border, y + 0.5 * letters]],
+        [
+            [border + bar, y - 0.5 * letters],
+            [border + bar, y + 0.5 * letters],
+        ],
+    ] {
+        drawing.draw(Layer::Axis, "", Path::polyline(&line, Closure::Open));
+    }
+    let scale = format!("{} mm", trim(bar));
+    let words = format!(
+        "{} / {}   flat, seen from the top, u above v   angle {:.1}°   1:1 mm",
+        flat.project, flat.patch.id, flat.patch.alpha_planar
+    );
+    let left = border + bar + letters;
+    let after = left + stroke_font::width(&scale) * letters + 2.0 * letters;
+    let room = drawing.size[0] - border - after;
+    let fitted = letters.min(room / stroke_font::width(&words));
+    for (text, at, letters) in [
+        (scale, [left, y - 0.5 * letters], letters),
+        (words, [after, y - 0.5 * fitted], fitted),
+    ] {
+        if letters > 0.0 {
+            drawing.draw(Layer::Title, "", Text::new(text, at, letters));
+        }
+    }
+}

@@ -1,0 +1,53 @@
+//! Names of files.
+
+/// A user's name as a part of a file name: letters and digits of ASCII, `-` and `_` stay, each
+/// run of anything else becomes one `-`.
+pub fn file_name(name: &str) -> String {
+    let mut out = String::with_capacity(name.len());
+    for c in name.chars() {
+        if c.is_ascii_alphanumeric() || c == '_' {
+            out.push(c);
+        } else if !out.ends_with('-') {
+            out.push('-');
+        }
+    }
+    let trimmed = out.trim_matches('-');
+    if trimmed.is_empty() {
+        "unnamed".to_owned()
+    } else {
+        trimmed.to_owned()
+    }
+}
+
+/// File names of several things in their order, made different by a number where they would be
+/// the same on some file system (`A b` and `a-b`).
+pub fn distinct_file_names<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    let mut used = std::collections::BTreeSet::new();
+    names
+        .into_iter()
+        .map(|name| {
+            let base = file_name(name);
+            let mut unique = base.clone();
+            let mut number = 2;
+            while !used.insert(unique.to_ascii_lowercase()) {
+                unique = format!("{base}-{number}");
+                number += 1;
+            }
+            unique
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn names_become_portable_and_stay_different() {
+        let names = ["west", "West", "a/b", "a b", "..", "Größe 2", "con:"];
+        assert_eq!(
+            distinct_file_names(names),
+            ["west", "West-2", "a-b", "a-b-2", "unnamed", "Gr-e-2", "con"]
+        );
+    }
+}

@@ -1,0 +1,180 @@
+//! Flat coordinates of every face, one chart per half-edge.
+//!
+//! The chart of a half-edge A→B has its origin at A, its first axis along the edge, and the
+//! face above: corners A = (0, 0), B = (length, 0) and the opposite corner C. Neighbouring charts
+//! are related by the unit vectors A→C and C→B alone, so that unfolding needs neither angles
+//! nor trigonometry.
+
+use crate::surface::{HalfEdge, Mesh, Point3, SurfacePoint, Vector3};
+
+/// No half-edge: the border.
+pub(super) const BORDER: u32 = u32::MAX;
+
+/// The flat face above a half-edge A→B, seen from that edge. One cache line.
+#[derive(Debug, Clone, Copy)]
+#[repr(align(64))]
+pub(super) struct Chart {
+    /// |AB|, metres.
+    pub(super) length: f64,
+    /// Unit vector A→C.
+    pub(super) left: [f64; 2],
+    /// |AC|, metres.
+    pub(super) left_length: f64,
+    /// Unit vector C→B.
+    pub(super) right: [f64; 2],
+    /// |CB|, metres.
+    pub(super) right_length: f64,
+    /// The half-edge A→C of the face beyond, or `BORDER`.
+    pub(super) left_exit: u32,
+    /// The half-edge C→B of the face beyond, or `BORDER`.
+    pub(super) right_exit: u32,
+}
+
+impl Chart {
+    /// The opposite corner C.
+    pub(super) fn apex(&self) -> [f64; 2] {
+        [
+            self.left[0] * self.left_length,
+            self.left[1] * self.left_length,
+        ]
+    }
+}
+
+/// What the solver knows of a mesh: charts, corner angles and the vertices that bend paths.
+pub(super) struct Charts {
+    /// Per half-edge.
+    pub(super) of: Vec<Chart>,
+    /// Per half-edge the angle of its face at its origin, radians.
+    pub(super) angles: Vec<f64>,
+    /// Per vertex the sum of angles around it, radians.
+    pub(super) total_angles: Vec<f64>,
+    /// Per vertex whether a shortest path can bend there.
+    pub(super) bends: Vec<bool>,
+    /// The first face without directions.
+    pub(super) degenerate: Option<u32>,
+}
+
+/// A vertex whose angles exceed the full turn by less casts a shadow narrower than what a target
+/// is widened by anyway (`solve::WIDENING`), and lets paths pass straight.
+const FLAT: f64 = 1e-11;
+
+impl Charts {
+    pub(super) fn new(mesh: &Mesh) -> Self {
+        let count = mesh.faces().len() as u32;
+        let mut charts = Vec::with_capacity(3 * count as usize);
+        let mut angles = Vec::with_capacity(3 * count as usize);
+        let mut total_angles = vec![0.0; mesh.positions().len()];
+        let mut degenerate = None;
+        for face in 0..count {
+            let corners = mesh.corners(face);
+            let double_area = double_area(&corners);
+            for corner in 0..3 {
+                let h = HalfEdge::new(face, corner);
+                let [a, b, c] = [0, 1, 2].map(|i| corners[(corner as usize + i) % 3]);
+                let (ab, ac, cb) = (b - a, c - a, b - c);
+                let (length, left, right) = (ab.norm(), ac.norm(), cb.norm());
+                let smallest = length.min(left).min(right);
+                let whole = smallest > 0.0 && (length + left + right).is_finite();
+                if !whole && degenerate.is_none() {
+                    degenerate = Some(face);
+                }
+                charts.push(Chart {
+                    length,
+                    left: unit(ab.dot(&ac), double_area),
+                    left_length: left,
+                    right: unit(ab.dot(&cb), -double_area),
+                    right_length: right,
+                    left_exit: mesh.twin(h.prev()).map_or(BORDER, |t| t.0),
+                    right_exit: mesh.twin(h.next()).map_or(BORDER, |t| t.0),
+                });
+                let angle = libm::atan2(double_area, ab.dot(&ac));
+                angles.push(angle);
+                total_angles[mesh.origin(h) as usize] += angle;
+            }
+        }
+        let bends = (0..mesh.positions().len() as u32)
+            .map(|v| {
+                mesh.is_border_vertex(v)
+                    || total_angles[v as usize] > 2.0 * std::f64::consts::PI + FLAT
+            })
+            .collect();
+        Self {
+            of: charts,
+            angles,
+            total_angles,
+            bends,
+            degenerate,
+        }
+    }
+
+    pub(super) fn chart(&self, h: HalfEdge) -> &Chart {
+        &self.of[h.0 as usize]
+    }
+
+    /// Coordinates of a point in the chart of a half-edge, if it lies in or on its face.
+    pub(super) fn coordinates(
+        &self,
+        mesh: &Mesh,
+        h: HalfEdge,
+        point: &SurfacePoint,
+    ) -> Option<[f64; 2]> {
+        let bary = point.bary_in(mesh, h.face())?;
+        let chart = self.chart(h);
+        let [cx, cy] = chart.apex();
+        let along = bary[h.next().corner()];
+        let above = bary[h.prev().corner()];
+        Some([along * chart.length + above * cx, above * cy])
+    }
+
+    /// Coordinates of a point in the chart of a half-edge, if it lies in or on its face and not on
+    /// the half-edge itself.
+    pub(super) fn coordinates_above(
+        &self,
+        mesh: &Mesh,
+        h: HalfEdge,
+        point: &SurfacePoint,
+    ) -> Option<[f64; 2]> {
+        let bary = point.bary_in(mesh, h.face())?;
+        (bary[h.prev().corner()] > 0.0).then(|| self.coordinates(mesh, h, point))?
+    }
+
+    /// The vector in space of a direction in the chart of a half-edge.
+    pub(super) fn to_space(mesh: &Mesh, h: HalfEdge, direction: [f64; 2]) -> Vector3 {
+        let corners = mesh.corners(h.face());
+        let [a, b, c] = [0, 1, 2].map(|i| corners[(h.corner() + i) % 3]);
+        let along = (b - a).normalize();
+        let out = c - a;
+        let across = (out - along * out.dot(&along)).normalize();
+        (along * direction[0] + across * direction[1]).normalize()
+    }
+}
+
+/// A face lower than this share of its longest side gets this height: its corners lie in line up
+/// to rounding, and windows need a side to come from.
+const LOWEST: f64 = 1e-14;
+
+/// Twice the area of a triangle from its two shortest sides, which is accurate for needles.
+fn double_area(corners: &[Point3; 3]) -> f64 {
+    let sides = [0, 1, 2].map(|i| corners[(i + 1) % 3] - corners[i]);
+    let squares = sides.map(|s| s.norm_squared());
+    let longest = if squares[0] >= squares[1] && squares[0] >= squares[2] {
+        0
+    } else if squares[1] >= squares[2] {
+        1
+    } else {
+        2
+    };
+    sides[(longest + 1) % 3]
+        .cross(&sides[(longest + 2) % 3])
+        .norm()
+        .max(LOWEST * squares[longest])
+}
+
+fn unit(along: f64, across: f64) -> [f64; 2] {
+    let norm = (along * along + across * across).sqrt();
+    if norm > 0.0 {
+        [along / norm, across / norm]
+    } else {
+        [1.0, 0.0]
+    }
+}

@@ -1,0 +1,214 @@
+//! Exact members: the end share at which the exact shortest distance on the surface equals the
+//! distance in the plane.
+//!
+//! Cladding functions come from interpolated distances. Here each member is solved again on exact
+//! ones, so that its two lengths agree to rounding (condition (i) of the paper, section 3.1).
+
+use super::Member;
+use crate::cladding::{PlanarQuad, Point2};
+use crate::geodesic::{GeodesicError, Geodesics, Path, Reach};
+use crate::layout::Side;
+use crate::project::model::Family;
+use serde::{Deserialize, Serialize};
+
+/// Which end of a member is given; the other one is sought.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub enum Given {
+    /// The share of the start side.
+    Start,
+    /// The share of the end side.
+    End,
+}
+
+/// The two sides that a family joins, and the plan.
+#[derive(Debug, Clone, Copy)]
+pub struct Between<'a> {
+    /// The family.
+    pub family: Family,
+    /// Where it starts.
+    pub start: &'a Side,
+    /// Where it ends.
+    pub end: &'a Side,
+    /// The flat patch.
+    pub quad: &'a PlanarQuad,
+}
+
+/// Why a member could not be made exact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RefineError {
+    /// No share of the other side near the one that the cladding function says gives equal
+    /// lengths; the closest one and the difference of lengths there, metres.
+    NoEqualLength {
+        /// Share of the given side.
+        given: f64,
+        /// Share of the other side.
+        closest: f64,
+        /// Surface minus planar length, metres.
+        difference: f64,
+    },
+    /// No geodesic.
+    Geodesic(GeodesicError),
+}
+
+impl From<GeodesicError> for RefineError {
+    fn from(error: GeodesicError) -> Self {
+        Self::Geodesic(error)
+    }
+}
+
+/// Lengths agree to this share of the length; rounding in distances over a few hundred faces lies
+/// below 1e-12.
+const EQUAL: f64 = 1e-11;
+/// First distance of trial shares from the interpolated one: the error of good tables.
+const FIRST: f64 = 1e-4;
+/// The exact share is sought this far from the interpolated one at most.
+const SEARCH: f64 = 0.05;
+/// Solves for one member; each gains several digits.
+const MOST_SOLVES: usize = 24;
+
+/// Solves the other end of an inner member; its index is for whoever knows the others.
+pub fn refine(
+    geodesics: &Geodesics<'_>,
+    between: &Between<'_>,
+    given: Given,
+    share: f64,
+    guess: f64,
+) -> Result<Member, RefineError> {
+    let mesh = geodesics.mesh();
+    let (from, to) = match given {
+        Given::Start => (between.start, between.end),
+        Given::End => (between.end, between.start),
+    };
+    let source = from.at(mesh, share);
+    let planar_length = |other: f64| {
+        let (start, end) = in_order(given, share, other);
+        between
+            .quad
+            .distance_squared(between.family, start, end)
+            .0
+            .sqrt()
+    };
+    let mut search = Search {
+        guess,
+        tried: Vec::new(),
+    };
+    let mut reach = FIRST;
+    for _ in 0..MOST_SOLVES {
+        let shares = match search.next_shares() {
+            Some(shares) => shares,
+            None if reach > SEARCH => break,
+            None => {
+                let around = [-1.0, 0.0, 1.0].map(|k| (guess + k * reach).clamp(0.0, 1.0));
+                reach *= 8.0;
+                around.to_vec()
+            }
+        };
+        let targets: Vec<_> = shares.iter().map(|&x| to.at(mesh, x)).collect();
+        let field = geodesics.field(&source, Reach::Targets(&targets))?;
+        for (&other, target) in shares.iter().zip(&targets) {
+            let plane = planar_length(other);
+            let difference = field.distance(target)? - plane;
+            if difference.abs() <= EQUAL * plane {
+                let path = field.path_to(target)?;
+                let (start, end) = in_order(given, share, other);
+                let path = if given == Given::Start {
+                    path
+                } else {
+                    path.reversed()
+                };
+                let planar = planar(between, start, end);
+                let family = between.family;
+                return Ok(Member {
+                    family,
+                    index: 0,
+                    boundary: false,
+                    start,
+                    end,
+                    path,
+                    planar,
+                });
+            }
+            search.tried.push((other, difference));
+        }
+        search.tried.sort_by(|a, b| a.0.total_cmp(&b.0));
+    }
+    let closest = search
+        .tried
+        .iter()
+        .min_by(|a, b| a.1.abs().total_cmp(&b.1.abs()));
+    let &(closest, difference) = closest.unwrap_or(&(guess, f64::NAN));
+    Err(RefineError::NoEqualLength {
+        given: share,
+        closest,
+        difference,
+    })
+}
+
+fn in_order(given: Given, share: f64, other: f64) -> (f64, f64) {
+    match given {
+        Given::Start => (share, other),
+        Given::End => (other, share),
+    }
+}
+
+/// What is known of the difference of lengths over the sought share.
+struct Search {
+    guess: f64,
+    /// (share, surface minus planar length), ascending.
+    tried: Vec<(f64, f64)>,
+}
+
+impl Search {
+    /// Shares to try next, once a change of sign is known: the zero of the chord over the change
+    /// closest to the guess, and two shares close around it that tighten the bracket. Several
+    /// distances from one source cost one solve.
+    fn next_shares(&self) -> Option<Vec<f64>> {
+        let (a, b) = self
+            .tried
+            .windows(2)
+            .filter(|w| (w[0].1 > 0.0) != (w[1].1 > 0.0))
+            .map(|w| (w[0], w[1]))
+            .min_by(|p, q| self.far(p).total_cmp(&self.far(q)))?;
+        let width = b.0 - a.0;
+        let zero = (a.0 * b.1 - b.0 * a.1) / (b.1 - a.1);
+        let inside = |x: f64| x > a.0 && x < b.0;
+        let zero = if inside(zero) {
+            zero
+        } else {
+            0.5 * (a.0 + b.0)
+        };
+        let close = 1e-3 * width;
+        let shares = [zero - close, zero, zero + close, 0.5 * (a.0 + b.0)];
+        Some(
+            shares
+                .into_iter()
+                .filter(|&x| inside(x))
+                .collect::<Vec<_>>(),
+        )
+        .filter(|shares| !shares.is_empty())
+    }
+
+    fn far(&self, (a, b): &((f64, f64), (f64, f64))) -> f64 {
+        (0.5 * (a.0 + b.0) - self.guess).abs()
+    }
+}
+
+/// A boundary member: a side of the patch itself.
+pub fn boundary_member(between: &Between<'_>, share: f64, path: Path) -> Member {
+    Member {
+        family: between.family,
+        index: 0,
+        boundary: true,
+        start: share,
+        end: share,
+        path,
+        planar: planar(between, share, share),
+    }
+}
+
+fn planar(between: &Between<'_>, start: f64, end: f64) -> [Point2; 2] {
+    [
+        between.quad.start(between.family, start),
+        between.quad.end(between.family, end),
+    ]
+}
