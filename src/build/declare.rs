@@ -229,17 +229,31 @@ where
         let values = self.needs.values(&mut Supply(supplied.iter()));
         let made = (self.run)(&self.input, values, context)?;
         Ok(Made {
-            bytes: postcard::to_stdvec(&made.value),
+            bytes: encode_output(&made.value),
             value: Arc::new(made.value),
             warnings: made.warnings,
         })
     }
 
     fn decode(&self, bytes: &[u8]) -> Result<Value, postcard::Error> {
-        // Bytes left over mean that the type has changed without its version.
-        match postcard::take_from_bytes::<O>(bytes)? {
-            (value, []) => Ok(Arc::new(value)),
-            _ => Err(postcard::Error::SerdeDeCustom),
-        }
+        Ok(Arc::new(decode_output::<O>(bytes)?))
+    }
+}
+
+/// The encoding of an output. Some serde attributes (fields that are skipped, flattened or
+/// untagged) make types that are written but not read back: builds with assertions find them.
+fn encode_output<O: Serialize + DeserializeOwned>(value: &O) -> Result<Vec<u8>, postcard::Error> {
+    let bytes = postcard::to_stdvec(value)?;
+    if cfg!(debug_assertions) && postcard::to_stdvec(&decode_output::<O>(&bytes)?)? != bytes {
+        return Err(postcard::Error::SerdeSerCustom);
+    }
+    Ok(bytes)
+}
+
+fn decode_output<O: DeserializeOwned>(bytes: &[u8]) -> Result<O, postcard::Error> {
+    // Bytes left over mean that the type has changed without its version.
+    match postcard::take_from_bytes(bytes)? {
+        (value, []) => Ok(value),
+        _ => Err(postcard::Error::SerdeDeCustom),
     }
 }

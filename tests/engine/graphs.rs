@@ -110,7 +110,7 @@ fn harm(workshop: &Workshop, index: usize, way: u8) {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(40))]
+    #![proptest_config(ProptestConfig::with_cases(32))]
 
     #[test]
     fn values_are_right_whatever_was_lost(

@@ -125,7 +125,7 @@ fn expected(design: &Design) -> Option<BTreeMap<String, Vec<u8>>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig::with_cases(24))]
+    #![proptest_config(ProptestConfig::with_cases(16))]
 
     #[test]
     fn incremental_bytes_are_clean_bytes(edits in edits()) {

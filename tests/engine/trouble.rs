@@ -153,6 +153,32 @@ fn an_input_without_a_key_is_told_and_not_run() {
 }
 
 #[test]
+fn a_result_that_cannot_be_read_back_is_told_at_once() {
+    #[derive(serde::Serialize, serde::Deserialize)]
+    struct Gappy {
+        #[serde(skip_serializing_if = "Option::is_none", default)]
+        first: Option<u32>,
+        second: u32,
+    }
+    const GAPPY: Stage<(), (), Gappy> = Stage {
+        name: "gappy",
+        version: 1,
+        numerics: Numerics::Portable,
+        run: |(), (), _| {
+            plain(Gappy {
+                first: None,
+                second: 7,
+            })
+        },
+    };
+    let workshop = Workshop::new();
+    let built = build(&workshop, &|g| {
+        g.add(&GAPPY, "", (), ());
+    });
+    assert_eq!(built.diagnostics[0].code.as_str(), "E0804");
+}
+
+#[test]
 fn a_name_that_is_declared_twice_is_told() {
     let workshop = Workshop::new();
     let built = build(&workshop, &|g| {

@@ -2,7 +2,7 @@
 //!
 //! - A file is replaced only if its bytes differ, as a whole, by rename within its folder.
 //! - Files that egg wrote and no longer makes are removed; folders that become empty as well.
-//! - What egg did not write is never touched: the [manifest](self::manifest) tells. A file that
+//! - What egg did not write is never touched: the [manifest] tells. A file that
 //!   is in the way is an error, unless it has the right contents already.
 //! - A file that was edited by hand is replaced with a warning while its instance exists, and
 //!   left (and forgotten) when it would have been removed.

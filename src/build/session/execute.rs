@@ -8,13 +8,10 @@
 
 use super::super::clock::Stopwatch;
 use super::super::event::Event;
-use super::super::key::{Digest, PortKind};
-use super::super::needs::Port;
-use super::super::reason::Reason;
+use super::super::key::Digest;
 use super::super::stage::{CancelToken, Context};
-use super::super::store::Found;
-use super::super::store::lease::{Lease, Leased};
-use super::worker::{Ending, Intake, Task};
+use super::super::store::lease::Leased;
+use super::worker::Ending;
 use super::{Observer, Session, Status, Supplies};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
@@ -36,19 +33,18 @@ pub(in crate::build) struct Conditions {
 const TICK: Duration = Duration::from_millis(50);
 /// The same while another process is waited for.
 const SHORT_TICK: Duration = Duration::from_millis(10);
-/// Stages recurse over trees and may run on top of each other.
-const STACK: usize = 16 << 20;
 
-struct Execution<'c> {
-    conditions: &'c Conditions,
-    ready: BinaryHeap<(Duration, Reverse<usize>)>,
-    running: BTreeMap<usize, Running>,
-    parked: Vec<Parked>,
+/// What is going on while a pass runs.
+pub(super) struct Execution<'c> {
+    pub(super) conditions: &'c Conditions,
+    pub(super) ready: BinaryHeap<(Duration, Reverse<usize>)>,
+    pub(super) running: BTreeMap<usize, Running>,
+    pub(super) parked: Vec<Parked>,
     /// Instances for which another process was waited for long enough.
-    impatient: BTreeSet<usize>,
-    pool: Option<rayon::ThreadPool>,
-    sender: Sender<(usize, Ending)>,
-    receiver: Receiver<(usize, Ending)>,
+    pub(super) impatient: BTreeSet<usize>,
+    pub(super) pool: Option<rayon::ThreadPool>,
+    pub(super) sender: Sender<(usize, Ending)>,
+    pub(super) receiver: Receiver<(usize, Ending)>,
 }
 
 /// An instance that runs.
@@ -56,15 +52,15 @@ pub(super) struct Running {
     pub(super) key: Digest,
     pub(super) context: Arc<Context>,
     /// What the context said when it was last asked.
-    progress: (u64, u64),
+    pub(super) progress: (u64, u64),
     /// Instances with the same key: they take its result.
     pub(super) twins: Vec<usize>,
 }
 
 /// An instance that another process computes.
-struct Parked {
-    index: usize,
-    since: Stopwatch,
+pub(super) struct Parked {
+    pub(super) index: usize,
+    pub(super) since: Stopwatch,
 }
 
 impl Session<'_, '_> {
@@ -152,144 +148,6 @@ impl Session<'_, '_> {
             if self.entries[index].status == Status::Due {
                 self.start(execution, index, observe);
             }
-        }
-    }
-
-    /// Starts a ready instance, unless somebody else has its result or is at it.
-    fn start(&mut self, execution: &mut Execution<'_>, index: usize, observe: Observer<'_>) {
-        let Some(key) = self.entries[index].key else {
-            return;
-        };
-        let twin = |running: &&mut Running| running.key == key;
-        if let Some(leader) = execution.running.values_mut().find(twin) {
-            leader.twins.push(index);
-            return;
-        }
-        let lease = if self.memory_only || execution.impatient.contains(&index) {
-            None
-        } else {
-            match self.store.lease(key) {
-                Leased::Held(lease) => Some(lease),
-                Leased::Unavailable => None,
-                Leased::Busy { process } => {
-                    let tally = self.tally(execution.conditions.jobs, &[]);
-                    observe(Event::Waiting {
-                        instance: &self.declared(index).instance,
-                        process,
-                        tally,
-                    });
-                    execution.parked.push(Parked {
-                        index,
-                        since: Stopwatch::start(),
-                    });
-                    return;
-                }
-            }
-        };
-        if !self.made_elsewhere(index, key) {
-            self.spawn(execution, index, key, lease, observe);
-        }
-    }
-
-    /// Whether another process, or a twin, has made the result since it was looked for; takes it
-    /// over then.
-    fn made_elsewhere(&mut self, index: usize, key: Digest) -> bool {
-        // A damaged entry of a read-only cache stays in its place.
-        let reasons = &self.entries[index].reasons;
-        if reasons.contains(&Reason::Forced) || reasons.contains(&Reason::EntryDamaged) {
-            return false;
-        }
-        if let Some(head) = &self.entries[index].head {
-            // The result was known, its value was lost.
-            let back = head
-                .output
-                .as_ref()
-                .is_some_and(|output| output.inline.is_none() && self.store.holds(output));
-            if back {
-                self.finish(index, Status::Cached);
-            }
-            return back;
-        }
-        let head = match self.results.get(&key) {
-            Some(head) => head.clone(),
-            None => match self.store.trace(key) {
-                Found::Whole(trace) => Arc::new(trace.head),
-                _ => return false,
-            },
-        };
-        self.found(index, head);
-        true
-    }
-
-    fn spawn(
-        &mut self,
-        execution: &mut Execution<'_>,
-        index: usize,
-        key: Digest,
-        lease: Option<Lease>,
-        observe: Observer<'_>,
-    ) {
-        let context = Arc::new(Context::new(execution.conditions.cancel.clone()));
-        let task = self.task(index, key, context.clone(), lease);
-        self.entries[index].status = Status::Running;
-        execution.running.insert(
-            index,
-            Running {
-                key,
-                context,
-                progress: (0, 0),
-                twins: Vec::new(),
-            },
-        );
-        observe(Event::Started {
-            instance: &self.declared(index).instance,
-            tally: self.tally(execution.conditions.jobs, &[index]),
-        });
-        if execution.pool.is_none() {
-            execution.pool = rayon::ThreadPoolBuilder::new()
-                .num_threads(execution.conditions.jobs)
-                .thread_name(|index| format!("stage-{index}"))
-                .stack_size(STACK)
-                .build()
-                .ok();
-        }
-        let sender = execution.sender.clone();
-        let run = move || {
-            // The receiver outlives every task.
-            sender.send((index, task.run())).ok();
-        };
-        match &execution.pool {
-            Some(pool) => pool.spawn(run),
-            // No threads to be had: the caller's own will do.
-            None => run(),
-        }
-    }
-
-    fn task(&self, index: usize, key: Digest, context: Arc<Context>, lease: Option<Lease>) -> Task {
-        let declared = self.declared(index);
-        let intake = |port: &Port| {
-            let entry = &self.entries[port.node];
-            match (&entry.head, port.kind) {
-                (Some(head), PortKind::Warnings) => Intake::Warnings(head.clone()),
-                (Some(head), _) if head.output.is_some() => Intake::Value {
-                    node: port.node,
-                    work: self.declared(port.node).work.clone(),
-                    slot: entry.slot.clone(),
-                    head: head.clone(),
-                },
-                _ => Intake::Nothing,
-            }
-        };
-        Task {
-            work: declared.work.clone(),
-            name: declared.instance.to_string(),
-            key,
-            recipe: self.recipe(index),
-            ports: declared.ports.list.iter().map(intake).collect(),
-            unfolds: self.graph.unfolds.iter().any(|(root, _)| *root == index),
-            store: self.store.clone(),
-            context,
-            lease,
         }
     }
 

@@ -61,7 +61,7 @@ impl Session<'_, '_> {
     fn reasons_for(&self, plan: &Plan, index: usize) -> Vec<Reason> {
         let stage = &plan.stages[index];
         let recorded = || {
-            let record = self.worktree.instance(&stage.instance);
+            let record = self.records.get(&stage.instance);
             record.map_or_else(Vec::new, |record| record.changed_by.clone())
         };
         match stage.state {

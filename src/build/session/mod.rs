@@ -13,6 +13,7 @@
 //! An instance has a key as soon as all its dependencies have results, by look-up or by running.
 
 mod ended;
+mod entry;
 mod estimate;
 mod execute;
 mod explain;
@@ -20,22 +21,22 @@ mod outcome;
 mod planning;
 mod selection;
 mod settle;
+mod start;
 mod why;
 mod worker;
 
-use super::declare::{Declared, Graph};
-use super::event::{Event, How};
+use super::declare::{Declared, Graph, Instance};
+use super::event::Event;
 use super::key::{Digest, PortKind};
-use super::needs::Value;
-use super::reason::Reason;
 use super::request::Request;
 use super::store::Store;
 use super::store::trace::Head;
 use super::store::worktree::{InstanceRecord, Worktree};
 use crate::diagnostics::{Code, Diagnostic};
+use entry::{Entry, Slot, Status};
 use estimate::Progress;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::collections::{BTreeSet, HashMap};
+use std::sync::Arc;
 use std::time::Duration;
 
 pub(super) use ended::unwritable;
@@ -52,11 +53,12 @@ pub(super) struct Session<'p, 's> {
     request: &'s Request,
     graph: Graph<'p>,
     entries: Vec<Entry<'s>>,
-    names: HashMap<Arc<super::declare::Instance>, usize>,
-    /// Results known to the last build, by key.
-    recorded: HashMap<Digest, usize>,
+    names: HashMap<Arc<Instance>, usize>,
+    /// Instances of the last build, by name and by key.
+    records: HashMap<&'s Instance, &'s InstanceRecord>,
+    recorded: HashMap<Digest, &'s InstanceRecord>,
     /// Results found or made in this pass, by key.
-    results: BTreeMap<Digest, Arc<Head>>,
+    results: HashMap<Digest, Arc<Head>>,
     /// Instances whose state may have to change.
     agenda: BTreeSet<usize>,
     /// Keys of instances that ran although their result was known.
@@ -79,90 +81,8 @@ pub(super) struct Session<'p, 's> {
 /// What one pass hands on to another over the same graph.
 #[derive(Default)]
 pub(super) struct Known {
-    results: BTreeMap<Digest, Arc<Head>>,
+    results: HashMap<Digest, Arc<Head>>,
     forced: BTreeSet<Digest>,
-}
-
-/// One instance.
-struct Entry<'s> {
-    status: Status,
-    /// The instance as the last build knew it.
-    record: Option<&'s InstanceRecord>,
-    wanted: bool,
-    key: Option<Digest>,
-    head: Option<Arc<Head>>,
-    slot: Arc<Slot>,
-    reasons: Vec<Reason>,
-    /// Diagnostics that are not part of a kept result.
-    told: Vec<Diagnostic>,
-    /// Indices of dependencies and dependents, each once.
-    needs: Vec<usize>,
-    dependents: Vec<usize>,
-    /// Number of dependents that may still want the value.
-    open_dependents: usize,
-    /// How long it took this time.
-    ran: Option<Duration>,
-    /// How long it may take, and how long everything that waits for it may take with it.
-    estimate: Option<Duration>,
-    urgency: Duration,
-}
-
-/// Where an instance stands.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Status {
-    /// A dependency has no result yet.
-    Waiting,
-    /// The result is known.
-    Cached,
-    /// It has to run.
-    Due,
-    /// It is running.
-    Running,
-    /// It has run.
-    Ran,
-    /// There is no result; for good if there is a head.
-    Failed,
-    /// A dependency failed; for good if that one did.
-    Skipped { lasting: bool },
-    /// The build ended before it was finished.
-    Stopped,
-}
-
-impl Status {
-    fn has_result(self) -> bool {
-        matches!(self, Self::Cached | Self::Ran)
-    }
-
-    fn is_final(self) -> bool {
-        !matches!(self, Self::Waiting | Self::Due | Self::Running)
-    }
-}
-
-impl Entry<'_> {
-    /// How it ended, if it has.
-    fn how(&self) -> Option<How> {
-        Some(match self.status {
-            Status::Cached => How::Cached,
-            Status::Ran => How::Ran,
-            Status::Failed if self.head.is_some() && self.ran.is_none() => How::FailedCached,
-            Status::Failed => How::Failed,
-            Status::Skipped { .. } => How::Skipped,
-            Status::Stopped => How::Stopped,
-            Status::Waiting | Status::Due | Status::Running => return None,
-        })
-    }
-}
-
-/// Holds a value while somebody may need it. Whoever loads it from the store holds the lock, so
-/// that it is loaded once.
-#[derive(Default)]
-pub(super) struct Slot(Mutex<Option<Value>>);
-
-impl Slot {
-    pub(super) fn lock(&self) -> MutexGuard<'_, Option<Value>> {
-        // A value is stored whole or not at all: a panic elsewhere leaves nothing half done.
-        self.0.lock().unwrap_or_else(PoisonError::into_inner)
-    }
 }
 
 impl<'p, 's> Session<'p, 's> {
@@ -175,12 +95,7 @@ impl<'p, 's> Session<'p, 's> {
         known: Known,
         declare: &dyn Fn(&mut Graph<'p>),
     ) -> Self {
-        let recorded = worktree
-            .instances
-            .iter()
-            .enumerate()
-            .map(|(index, record)| (record.key, index))
-            .collect();
+        let records = worktree.instances.iter();
         let mut graph = Graph::default();
         declare(&mut graph);
         let mut session = Self {
@@ -191,7 +106,8 @@ impl<'p, 's> Session<'p, 's> {
             graph,
             entries: Vec::new(),
             names: HashMap::new(),
-            recorded,
+            records: records.clone().map(|one| (&one.instance, one)).collect(),
+            recorded: records.map(|one| (one.key, one)).collect(),
             results: known.results,
             agenda: BTreeSet::new(),
             forced: known.forced,
@@ -220,7 +136,7 @@ impl<'p, 's> Session<'p, 's> {
             for &need in &needs {
                 self.entries[need].dependents.push(index);
             }
-            let record = self.worktree.instance(&declared.instance);
+            let record = self.records.get(&*declared.instance).copied();
             self.entries.push(Entry {
                 status: Status::Waiting,
                 wanted: false,

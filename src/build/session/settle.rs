@@ -100,8 +100,8 @@ impl Session<'_, '_> {
         if let Some(head) = self.results.get(&key) {
             return Found::Whole(head.clone());
         }
-        if let Some(&index) = self.recorded.get(&key) {
-            return Found::Whole(Arc::new(self.worktree.instances[index].head.clone()));
+        if let Some(record) = self.recorded.get(&key) {
+            return Found::Whole(Arc::new(record.head.clone()));
         }
         match self.store.trace(key) {
             Found::Whole(trace) => Found::Whole(Arc::new(trace.head)),

@@ -78,15 +78,6 @@ pub(crate) struct SourceRecord {
 }
 
 impl Worktree {
-    /// The record of `instance`, if the last build had it.
-    pub(crate) fn instance(&self, instance: &Instance) -> Option<&InstanceRecord> {
-        let index = self
-            .instances
-            .binary_search_by(|record| record.instance.cmp(instance))
-            .ok()?;
-        self.instances.get(index)
-    }
-
     /// The record of what `owner` published.
     pub(crate) fn publication(&self, owner: &Instance) -> Option<&PublicationRecord> {
         let publications = &self.outputs.publications;
