@@ -228,8 +228,16 @@ where
     fn run(&self, supplied: &[Supplied], context: &Context) -> Result<Made, Failure> {
         let values = self.needs.values(&mut Supply(supplied.iter()));
         let made = (self.run)(&self.input, values, context)?;
+        let bytes = postcard::to_stdvec(&made.value);
+        debug_assert!(
+            bytes
+                .as_ref()
+                .map_or(true, |bytes| self.decode(bytes).is_ok()),
+            "the cache has to give back what stage `{}` makes",
+            self.name
+        );
         Ok(Made {
-            bytes: postcard::to_stdvec(&made.value),
+            bytes,
             value: Arc::new(made.value),
             warnings: made.warnings,
         })

@@ -28,6 +28,10 @@ pub const SHELL_EXCESS: f64 = 0.2e-3;
 /// Kerf of the saw that cuts tubes, metres.
 pub const TUBE_SAW: f64 = 1.0e-3;
 
+/// A bore this much below the nominal diameter is rounding of decimals (5 - 2 x 0.5 is 4), metres.
+/// Threads are cut a little below their nominal diameter, so an equal bore slides.
+const BORE_ROUNDING: f64 = 1e-6;
+
 /// Threads that stand out of a nut.
 const FREE_THREADS: f64 = 2.0;
 
@@ -235,7 +239,7 @@ pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
     }
     if let Some(shell) = &hardware.shell {
         let bore = shell.diameter - 2.0 * shell.wall;
-        if bore <= hardware.bolt.diameter {
+        if bore < hardware.bolt.diameter - BORE_ROUNDING {
             errors.push(
                 Diagnostic::error(
                     codes::SHELL_TOO_NARROW,
@@ -289,6 +293,23 @@ mod tests {
         ] {
             assert!((computed / table - 1.0).abs() < 0.1, "{computed} {table}");
         }
+    }
+
+    #[test]
+    fn a_bolt_goes_through_a_bore_of_its_nominal_diameter() {
+        let hardware = Hardware {
+            bolt: Bolt {
+                name: "M4".to_owned(),
+                diameter: 0.004,
+            },
+            sticker: None,
+            shell: Some(Shell {
+                name: "brass 5x0.5".to_owned(),
+                diameter: 0.005,
+                wall: 0.0005,
+            }),
+        };
+        assert_eq!(check(&hardware), []);
     }
 
     #[test]
