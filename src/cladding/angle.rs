@@ -592,7 +592,7 @@ mod tests {
         let choice = choose_angle(&maps, &strict);
         assert!(choice.feasible.is_empty());
         let Err(Infeasible {
-            obstacle: Obstacle::Slope(_, [low, high]),
+            obstacle: Obstacle::Slope(_, [low, high], _),
             ..
         }) = choice.taken
         else {

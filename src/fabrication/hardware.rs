@@ -28,10 +28,6 @@ pub const SHELL_EXCESS: f64 = 0.2e-3;
 /// Kerf of the saw that cuts tubes, metres.
 pub const TUBE_SAW: f64 = 1.0e-3;
 
-/// A bore this much below the nominal diameter is rounding of decimals (5 - 2 x 0.5 is 4), metres.
-/// Threads are cut a little below their nominal diameter, so an equal bore slides.
-const BORE_ROUNDING: f64 = 1e-6;
-
 /// Threads that stand out of a nut.
 const FREE_THREADS: f64 = 2.0;
 
@@ -224,6 +220,10 @@ pub fn tube_mass_per_metre(shell: &Shell) -> Option<f64> {
     Some((disc(shell.diameter) - disc(bore)) * density)
 }
 
+/// Bolts are made this much thinner than their nominal diameter, metres: a tube whose bore is the
+/// nominal diameter slides over them.
+const FIT: f64 = 1e-6;
+
 /// Hardware that cannot be bought or does not go together.
 pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
     let mut errors = Vec::new();
@@ -239,7 +239,7 @@ pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
     }
     if let Some(shell) = &hardware.shell {
         let bore = shell.diameter - 2.0 * shell.wall;
-        if bore < hardware.bolt.diameter - BORE_ROUNDING {
+        if bore < hardware.bolt.diameter - FIT {
             errors.push(
                 Diagnostic::error(
                     codes::SHELL_TOO_NARROW,
