@@ -93,15 +93,32 @@ pub enum Obstacle {
     NotConvex(Option<(f64, f64)>),
     /// A corner within [`CONVEXITY`] of a straight angle; the margin that is there, radians.
     Flat(f64),
+    /// A side is too short for the lamellae that begin or end on it.
+    Crowded(Crowded),
     /// A family has no cladding function.
     NoCladding(Family, TraceFailure),
-    /// The slopes of a family's cladding function leave the bounds.
-    Slope(Family, [f64; 2]),
     /// Flat lamellae of a family overlap: least distance of centre lines and what is needed,
     /// metres.
     Overlap(Family, [f64; 2]),
     /// Members cross at too small an angle in the plane, radians.
     Sharp(f64),
+    /// The slopes of a family's cladding function leave the bounds: these, then the bounds.
+    Slope(Family, [f64; 2], [f64; 2]),
+}
+
+/// A side that is too short for its lamellae, whatever the angle.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Crowded {
+    /// The family that begins or ends on it.
+    pub family: Family,
+    /// Numbers of the corners at its ends, from 1.
+    pub side: [u8; 2],
+    /// Its length, metres.
+    pub length: f64,
+    /// What its lamellae need beside each other, metres.
+    pub needed: f64,
+    /// How many there are.
+    pub members: u32,
 }
 
 /// Result of the search for an angle.
@@ -126,6 +143,9 @@ pub struct Infeasible {
 
 /// Makes and checks the plan with a given angle, radians.
 pub fn clad(maps: &Maps<'_>, demands: &Demands, alpha: f64) -> Result<Clad, Obstacle> {
+    if let Some(crowded) = crowded(maps, demands) {
+        return Err(Obstacle::Crowded(crowded));
+    }
     let quad = PlanarQuad::new(maps.sides, alpha)
         .ok_or_else(|| Obstacle::NotConvex(maps.sides.convex_range()))?;
     if quad.convexity_margin() < CONVEXITY {
@@ -140,12 +160,6 @@ pub fn clad(maps: &Maps<'_>, demands: &Demands, alpha: f64) -> Result<Clad, Obst
         u: follow(Family::U)?,
         v: follow(Family::V)?,
     };
-    for family in [Family::U, Family::V] {
-        let [low, high] = clad.function(family).slope_range();
-        if low < demands.slope[0] || high > demands.slope[1] {
-            return Err(Obstacle::Slope(family, [low, high]));
-        }
-    }
     let lines = [(Family::U, 0), (Family::V, 1)]
         .map(|(family, i)| flat_members(&clad, family, demands.members[i]));
     let needed = demands.width * (1.0 + PLAY);
@@ -159,7 +173,41 @@ pub fn clad(maps: &Maps<'_>, demands: &Demands, alpha: f64) -> Result<Clad, Obst
     if sharpest < CROSSING {
         return Err(Obstacle::Sharp(sharpest));
     }
+    // Last, so that the slopes that are told are those of an angle with nothing else against it.
+    for family in [Family::U, Family::V] {
+        let [low, high] = clad.function(family).slope_range();
+        if low < demands.slope[0] || high > demands.slope[1] {
+            return Err(Obstacle::Slope(family, [low, high], demands.slope));
+        }
+    }
     Ok(clad)
+}
+
+/// Neighbouring members are at most as far apart as their ends, so a side has to be as long as
+/// its lamellae are wide together. Of several short sides the shortest one for its lamellae.
+fn crowded(maps: &Maps<'_>, demands: &Demands) -> Option<Crowded> {
+    let SideLengths { ab, bc, cd, da } = maps.sides;
+    let sides = [
+        (Family::U, [1, 2], ab),
+        (Family::V, [2, 3], bc),
+        (Family::U, [3, 4], cd),
+        (Family::V, [4, 1], da),
+    ];
+    sides
+        .into_iter()
+        .map(|(family, side, length)| {
+            let members = demands.members[usize::from(family == Family::V)];
+            let gaps = f64::from(members.saturating_sub(1));
+            Crowded {
+                family,
+                side,
+                length,
+                needed: gaps * demands.width * (1.0 + PLAY),
+                members,
+            }
+        })
+        .filter(|side| side.length < side.needed)
+        .min_by(|a, b| (a.length / a.needed).total_cmp(&(b.length / b.needed)))
 }
 
 /// Scans the convex angles, locates the feasible intervals and takes the most compact plan.
@@ -259,13 +307,13 @@ fn round_into((low, high): (f64, f64), end: f64) -> f64 {
 /// The attempt that got furthest; among those as far, the one closest to its limit.
 fn least_bad(tried: &[Result<Clad, Obstacle>], angle: impl Fn(u32) -> f64) -> Infeasible {
     let score = |obstacle: &Obstacle| match obstacle {
-        Obstacle::NotConvex(_) => 0.0,
+        Obstacle::NotConvex(_) | Obstacle::Crowded(_) => 0.0,
         Obstacle::Flat(margin) => 0.5 * margin / CONVEXITY,
         Obstacle::NoCladding(_, TraceFailure::Congruent { .. }) => 1.0,
         Obstacle::NoCladding(_, TraceFailure::TurnsBack { at }) => 1.0 + 0.25 * (at[0] + at[1]),
-        Obstacle::Slope(_, [low, high]) => 2.0 + (low / high).clamp(0.0, 1.0),
-        Obstacle::Overlap(_, [gap, needed]) => 3.0 + (gap / needed).clamp(0.0, 1.0),
-        Obstacle::Sharp(sharpest) => 4.0 + sharpest / CROSSING,
+        Obstacle::Overlap(_, [gap, needed]) => 2.0 + (gap / needed).clamp(0.0, 1.0),
+        Obstacle::Sharp(sharpest) => 3.0 + sharpest / CROSSING,
+        Obstacle::Slope(_, [low, high], _) => 4.0 + (low / high).clamp(0.0, 1.0),
     };
     let mut best = Infeasible {
         alpha: angle(0),
@@ -544,7 +592,7 @@ mod tests {
         let choice = choose_angle(&maps, &strict);
         assert!(choice.feasible.is_empty());
         let Err(Infeasible {
-            obstacle: Obstacle::Slope(_, [low, high]),
+            obstacle: Obstacle::Slope(_, [low, high], _),
             ..
         }) = choice.taken
         else {

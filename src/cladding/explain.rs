@@ -4,7 +4,7 @@
 //! Key paths begin with a dot: they name fields of the stage's input (`alpha`, `slope`,
 //! `members`, `width`), which the build translates into the project's keys.
 
-use super::{AngleChoice, Infeasible, Obstacle, TraceFailure};
+use super::{AngleChoice, Crowded, Infeasible, Obstacle, TraceFailure};
 use crate::diagnostics::codes::cladding as codes;
 use crate::diagnostics::{Code, Diagnostic};
 use crate::project::model::Family;
@@ -19,11 +19,15 @@ pub fn explain(choice: &AngleChoice, infeasible: &Infeasible, given: bool) -> Di
     };
     let (code, message, key, label, help) = describe(&infeasible.obstacle, &at);
     let mut diagnostic = Diagnostic::error(code, message);
-    diagnostic = if given {
-        diagnostic.at_key(".alpha", "this angle does not work")
-    } else {
-        diagnostic.at_key(key, label)
+    let by_angle = !matches!(infeasible.obstacle, Obstacle::Crowded(_));
+    diagnostic = match key {
+        _ if given && by_angle => diagnostic.at_key(".alpha", "this angle does not work"),
+        "." => diagnostic.at_key(key, label),
+        _ => diagnostic.at_key(".", "in this patch").at_key(key, label),
     };
+    if !by_angle {
+        return diagnostic.help(help);
+    }
     if let Some((low, high)) = choice.convex {
         diagnostic = diagnostic.note(format!(
             "plans are convex between {} and {}",
@@ -91,16 +95,40 @@ fn describe(obstacle: &Obstacle, at: &str) -> Words {
             "this plan is nearly congruent to the patch",
             "take an angle further from the one on the surface".into(),
         ),
-        Obstacle::Slope(family, [low, high]) => (
+        Obstacle::Crowded(Crowded {
+            family,
+            side: [from, to],
+            length,
+            needed,
+            members,
+        }) => (
+            codes::OVERLAP,
+            format!(
+                "side {from}-{to} of the patch is {} long, but the {members} members of the \
+                 {}-family need {} to lie side by side",
+                millimetres(length),
+                letter(family),
+                millimetres(needed)
+            ),
+            ".members",
+            "so many members begin or end on that side",
+            "take fewer members or narrower lamellae, or move the corners of that side apart"
+                .into(),
+        ),
+        Obstacle::Slope(family, [low, high], [least, most]) => (
             codes::SLOPE,
             format!(
                 "members of the patch bunch {at}: the cladding function of the {}-family \
-                 has slopes from {low:.2} to {high:.2}",
+                 has slopes from {low:.2} to {high:.2}, where {least} to {most} is allowed",
                 letter(family)
             ),
             ".slope",
             "these are the bounds",
-            format!("{split}; or allow slopes down to {low:.2} and up to {high:.2}"),
+            format!(
+                "{split}; or allow slopes down to {:.2} and up to {:.2}",
+                (100.0 * low).floor() / 100.0,
+                (100.0 * high).ceil() / 100.0
+            ),
         ),
         Obstacle::Overlap(family, [gap, needed]) => (
             codes::OVERLAP,

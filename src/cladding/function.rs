@@ -40,12 +40,18 @@ impl CladdingFunction {
         self.samples.iter().map(|s| [s[0], s[1]])
     }
 
-    /// Smallest and largest slope.
+    /// Smallest and largest slope: of the samples, and of the chords between them, which the
+    /// function has somewhere on the way.
     pub fn slope_range(&self) -> [f64; 2] {
-        self.samples
-            .iter()
-            .fold([f64::INFINITY, 0.0], |[low, high], s| {
-                [low.min(s[2]), high.max(s[2])]
+        let chords = self
+            .samples
+            .windows(2)
+            .map(|w| (w[1][1] - w[0][1]) / (w[1][0] - w[0][0]));
+        let slopes = self.samples.iter().map(|s| s[2]);
+        slopes
+            .chain(chords)
+            .fold([f64::INFINITY, 0.0], |[low, high]: [f64; 2], slope: f64| {
+                [low.min(slope), high.max(slope)]
             })
     }
 

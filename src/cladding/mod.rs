@@ -8,7 +8,9 @@ mod planar;
 mod table;
 mod trace;
 
-pub use angle::{AngleChoice, Clad, Demands, Infeasible, Maps, Obstacle, choose_angle, clad};
+pub use angle::{
+    AngleChoice, Clad, Crowded, Demands, Infeasible, Maps, Obstacle, choose_angle, clad,
+};
 pub use explain::explain;
 pub use function::CladdingFunction;
 pub use maps::{SAMPLES, distance_table};

@@ -1,7 +1,7 @@
 //! The terminal: the only place of the program that prints.
 
 use super::args::{ColorWhen, Global, MessageFormat};
-use crate::diagnostics::render::{Sources, Style, human, json_lines};
+use crate::diagnostics::render::{Sources, Style, human, json_lines, printable};
 use crate::diagnostics::{Diagnostic, Severity};
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
@@ -64,6 +64,7 @@ impl Console {
         if self.quiet || self.is_json() {
             return;
         }
+        let what = printable(what);
         if self.style == Style::Colour {
             err(&format!("\u{1b}[1;32m{verb:>12}\u{1b}[0m {what}\n"));
         } else {
@@ -73,14 +74,15 @@ impl Console {
 
     /// An error of usage, about no place in a file.
     pub(super) fn complain(self, message: &str, help: Option<&str>) {
-        let help = help.map_or(String::new(), |help| format!("  help: {help}\n"));
         if self.is_json() {
             self.record(&Complaint {
                 reason: "usage-error",
                 message,
+                help,
             });
         } else {
-            err(&format!("error: {message}\n{help}"));
+            let help = help.map_or(String::new(), |help| format!("  help: {help}\n"));
+            err(&format!("error: {}\n{help}", printable(message)));
         }
     }
 
@@ -107,6 +109,7 @@ impl Console {
 struct Complaint<'a> {
     reason: &'static str,
     message: &'a str,
+    help: Option<&'a str>,
 }
 
 /// Writes a result. A reader that has had enough is no error.

@@ -3,9 +3,10 @@
 use super::console::Console;
 use super::exit::Exit;
 use crate::diagnostics::render::{Source, Sources};
-use crate::diagnostics::{Code, Diagnostic, Severity};
+use crate::diagnostics::{Code, Diagnostic, File, Label, Place};
 use crate::project::model::Project;
 use crate::project::{Capability, Loaded, Notation, decode, load, unbuilt};
+use std::io;
 use std::path::{Path, PathBuf};
 
 const UNREADABLE_MESH: Code = Code::new("E0901");
@@ -34,6 +35,13 @@ impl Opened {
     /// Finds and reads a project file and tells what is wrong with it.
     pub(super) fn open(console: Console, given: Option<&Path>) -> Result<Self, Exit> {
         let path = locate(console, given)?;
+        if path.is_dir() {
+            console.complain(
+                &format!("`{}` is a folder", path.display()),
+                Some("name the project file in it, or go there and name none"),
+            );
+            return Err(Exit::Usage);
+        }
         let notation = match path.extension().and_then(|e| e.to_str()) {
             Some("ron") => Notation::Ron,
             Some("toml") => Notation::Toml,
@@ -102,16 +110,9 @@ impl Opened {
     /// there is no repository.
     pub(super) fn mesh_path(&self, project: &Project) -> Result<PathBuf, Diagnostic> {
         let path = self.folder().join(&project.surface.mesh);
-        let refuse = |code, message: String| {
-            Diagnostic::error(code, message).at_key("surface.mesh", "this file")
-        };
-        let real = path.canonicalize().map_err(|error| {
-            refuse(
-                UNREADABLE_MESH,
-                format!("cannot read the mesh `{}`: {error}", project.surface.mesh),
-            )
-            .help("paths are relative to the project file")
-        })?;
+        let real = path
+            .canonicalize()
+            .map_err(|error| unreadable_mesh(project, &error))?;
         let folder = self
             .folder()
             .canonicalize()
@@ -123,14 +124,10 @@ impl Opened {
         if real.starts_with(root) {
             Ok(path)
         } else {
-            Err(refuse(
-                OUTSIDE,
-                format!(
-                    "the mesh `{}` lies outside the project",
-                    project.surface.mesh
-                ),
-            )
-            .help(
+            let mesh = &project.surface.mesh;
+            let message = format!("the mesh `{mesh}` lies outside the project");
+            let error = Diagnostic::error(OUTSIDE, message).at_key("surface.mesh", "this file");
+            Err(error.help(
                 "copy it into the project's folder, so that whoever has the project has the mesh",
             ))
         }
@@ -138,7 +135,6 @@ impl Opened {
 
     /// Reads the mesh's text if one of the diagnostics points into it.
     pub(super) fn fetch_mesh_text(&mut self, diagnostics: &[Diagnostic]) {
-        use crate::diagnostics::{File, Place};
         let into_mesh = diagnostics.iter().flat_map(|d| &d.labels).any(|label| {
             matches!(
                 label.place,
@@ -171,6 +167,29 @@ impl Opened {
         }
     }
 
+    /// Diagnostics of stages, each once. What they say about a key that the file does not have
+    /// is said about its default instead: there is nothing to point at.
+    pub(super) fn in_terms_of_the_file(&self, diagnostics: Vec<Diagnostic>) -> Vec<Diagnostic> {
+        let spans = &self.loaded.spans;
+        let mut told: Vec<Diagnostic> = Vec::with_capacity(diagnostics.len());
+        for mut diagnostic in diagnostics {
+            let (said, unsaid): (Vec<Label>, Vec<Label>) = diagnostic
+                .labels
+                .into_iter()
+                .partition(|label| !matches!(&label.place, Place::Key(key) if !spans.reaches(key)));
+            diagnostic.labels = said;
+            let notes = unsaid.into_iter().filter_map(|label| match label.place {
+                Place::Key(key) => Some(format!("`{key}` has its default: {}", label.text)),
+                _ => None,
+            });
+            diagnostic.notes.splice(0..0, notes);
+            if !told.contains(&diagnostic) {
+                told.push(diagnostic);
+            }
+        }
+        told
+    }
+
     /// Tells diagnostics about this project.
     pub(super) fn tell(&self, console: Console, diagnostics: &[Diagnostic]) {
         let name = self.path.to_string_lossy().replace('\\', "/");
@@ -191,9 +210,15 @@ impl Opened {
     }
 }
 
-/// Whether any of these is an error.
-pub(super) fn has_errors(diagnostics: &[Diagnostic]) -> bool {
-    diagnostics.iter().any(|d| d.severity == Severity::Error)
+/// The mesh is there or not, but it cannot be read.
+pub(super) fn unreadable_mesh(project: &Project, error: &io::Error) -> Diagnostic {
+    let mesh = &project.surface.mesh;
+    Diagnostic::error(
+        UNREADABLE_MESH,
+        format!("cannot read the mesh `{mesh}`: {error}"),
+    )
+    .at_key("surface.mesh", "this file")
+    .help("paths are relative to the project file")
 }
 
 /// The project file that was named, or the one of the current folder.
@@ -210,15 +235,20 @@ fn find(console: Console) -> Result<PathBuf, Exit> {
         console.complain(&format!("cannot read the current folder: {error}"), None);
         Exit::Usage
     })?;
-    let mut candidates: Vec<PathBuf> = entries
+    let mut files: Vec<PathBuf> = entries
         .flatten()
         .map(|entry| PathBuf::from(entry.file_name()))
         .filter(|path| {
             let ending = path.extension().and_then(|e| e.to_str());
-            ending == Some("ron") || ending == Some("toml") && is_project(path)
+            matches!(ending, Some("ron" | "toml")) && path.is_file()
         })
         .collect();
-    candidates.sort();
+    files.sort();
+    let mut candidates: Vec<PathBuf> = files.iter().filter(|p| is_project(p)).cloned().collect();
+    if candidates.is_empty() && files.len() == 1 {
+        // What else could be meant; what is wrong with it will be told.
+        candidates = files;
+    }
     match candidates.as_slice() {
         [one] => Ok(one.clone()),
         [] => {
@@ -245,10 +275,17 @@ fn find(console: Console) -> Result<PathBuf, Exit> {
     }
 }
 
-/// Other programs keep TOML files too (Cargo.toml): a project has a `[surface]`.
+/// Other programs keep TOML files too (Cargo.toml), and egg writes plans as RON: a project has a
+/// `surface` with a `mesh`.
 fn is_project(path: &Path) -> bool {
+    let says = |line: &str, word: &str| {
+        let mut words = line.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '-'));
+        words.any(|one| one == word)
+    };
     std::fs::read_to_string(path).is_ok_and(|text| {
-        text.lines()
-            .any(|line| line.trim_start().starts_with("[surface]"))
+        let mut lines = text
+            .lines()
+            .map(|line| line.split('#').next().unwrap_or(""));
+        lines.clone().any(|line| says(line, "surface")) && lines.any(|line| says(line, "mesh"))
     })
 }

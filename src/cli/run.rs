@@ -3,14 +3,18 @@
 use super::args::Global;
 use super::commands::cache;
 use super::console::Console;
-use super::design::{Opened, has_errors};
+use super::design::{Opened, unreadable_mesh};
 use super::exit::Exit;
 use super::interrupt;
 use super::progress::Progress;
 use crate::build::graph::{Design, Extent, declare};
 use crate::build::{Built, Engine, Explanation, Graph, Request, Settings, SourceFile};
+use crate::diagnostics::{Severity, without_allowed};
 use crate::project::model::Project;
 use std::path::PathBuf;
+
+/// How codes of the engine begin.
+const ENGINE: &str = "E08";
 
 /// A checked project with the engine that compiles it.
 pub(super) struct Job {
@@ -33,10 +37,7 @@ impl Job {
         let output = output_directory(global, &opened, project);
         let mut engine = Engine::open(settings(console, global, &output)?);
         let mesh = engine.source(&mesh_path).map_err(|error| {
-            console.complain(
-                &format!("cannot read `{}`: {error}", mesh_path.display()),
-                None,
-            );
+            opened.tell(console, &[unreadable_mesh(project, &error)]);
             Exit::Errors
         })?;
         Ok(Self {
@@ -67,7 +68,8 @@ impl Job {
         );
         progress.finish();
         let allowed = &project.allowed_lints;
-        let told = crate::diagnostics::without_allowed(built.diagnostics.clone(), allowed);
+        let told = without_allowed(built.diagnostics.clone(), allowed);
+        let told = opened.in_terms_of_the_file(told);
         self.opened.fetch_mesh_text(&told);
         self.opened.tell(self.console, &told);
         if built.cancelled {
@@ -108,9 +110,16 @@ impl Job {
         })
     }
 
-    /// Errors of the project file do not stop here, those of stages do.
+    /// How a build ended. A cache or an output directory that fails, a request for what is not
+    /// there and a stage that breaks down are not the project's fault.
     pub(super) fn verdict(built: &Built) -> Exit {
-        if built.succeeded() && !has_errors(&built.diagnostics) {
+        let errors = || {
+            let all = built.diagnostics.iter();
+            all.filter(|told| told.severity == Severity::Error)
+        };
+        if errors().any(|error| error.code.as_str().starts_with(ENGINE)) {
+            Exit::Usage
+        } else if built.succeeded() && errors().next().is_none() {
             Exit::Done
         } else {
             Exit::Errors

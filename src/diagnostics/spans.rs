@@ -48,6 +48,12 @@ impl SpanTable {
         self.places.contains_key(path)
     }
 
+    /// Whether the file says anything at this path or at one of its ancestors; it always does at
+    /// the root.
+    pub fn reaches(&self, path: &str) -> bool {
+        path.is_empty() || self.nearest(path).is_some()
+    }
+
     /// Where the value stands; of a missing path, where its nearest ancestor stands; the end of
     /// the file where that is the root.
     pub fn value(&self, path: &str) -> Range<usize> {
@@ -91,5 +97,7 @@ mod tests {
         assert_eq!(table.value("patches.west.members.u"), 9..15);
         assert_eq!(table.name("patches.west.members.u"), 9..15);
         assert_eq!(table.value("lamella.width"), 90..90);
+        assert!(table.reaches("patches.west.alpha.x") && table.reaches(""));
+        assert!(!table.reaches("lamella.width"));
     }
 }

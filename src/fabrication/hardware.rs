@@ -296,6 +296,23 @@ mod tests {
     }
 
     #[test]
+    fn a_bolt_goes_through_a_bore_of_its_nominal_diameter() {
+        let hardware = Hardware {
+            bolt: Bolt {
+                name: "M4".to_owned(),
+                diameter: 0.004,
+            },
+            sticker: None,
+            shell: Some(Shell {
+                name: "brass 5x0.5".to_owned(),
+                diameter: 0.005,
+                wall: 0.0005,
+            }),
+        };
+        assert_eq!(check(&hardware), []);
+    }
+
+    #[test]
     fn a_shell_narrower_than_the_bolt_and_a_bolt_of_no_series_are_refused() {
         let hardware = Hardware {
             bolt: Bolt {

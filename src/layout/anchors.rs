@@ -62,8 +62,10 @@ fn place(
                 )
                 .about(name)
                 .note(format!(
-                    "the nearest place over the surface is ({:.4}, {:.4}) m, {:.4} m away",
-                    near.x, near.y, miss.distance
+                    "the nearest place over the surface is ({}, {}) m, {} m away",
+                    metres(near.x, mesh),
+                    metres(near.y, mesh),
+                    metres(miss.distance, mesh)
                 ))
                 .note(extent(mesh))
                 .help("move the anchor, or check `project.units` and `surface.units`"))
@@ -83,8 +85,8 @@ fn place(
                 Diagnostic::warning(
                     codes::FAR_ANCHOR,
                     format!(
-                        "`{name}` is {:.4} m away from the surface",
-                        closest.distance
+                        "`{name}` is {} m away from the surface",
+                        metres(closest.distance, mesh)
                     ),
                 )
                 .about(name)
@@ -116,8 +118,21 @@ fn place(
 
 fn extent(mesh: &Mesh) -> String {
     let (low, high) = mesh.bounding_box();
+    let place = |p: Point3| {
+        let [x, y, z] = [p.x, p.y, p.z].map(|x| metres(x, mesh));
+        format!("({x}, {y}, {z})")
+    };
     format!(
-        "the surface reaches from ({:.3}, {:.3}, {:.3}) to ({:.3}, {:.3}, {:.3}) m",
-        low.x, low.y, low.z, high.x, high.y, high.z
+        "the surface reaches from {} to {} m",
+        place(low),
+        place(high)
     )
+}
+
+/// A length to a thousandth of the size of the surface, or better.
+fn metres(length: f64, mesh: &Mesh) -> String {
+    let (low, high) = mesh.bounding_box();
+    let magnitude = libm::ceil(libm::log10((high - low).norm()));
+    let decimals = (4.0 - magnitude).clamp(0.0, 9.0) as usize;
+    format!("{length:.decimals$}")
 }

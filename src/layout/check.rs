@@ -4,7 +4,6 @@ use super::{Domain, Side};
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::layout as codes;
 use crate::geodesic::{Curve, angle_between, crossings};
-
 use crate::surface::Tangent;
 
 /// A corner with an angle below this, or that close to a straight one, is none, radians.
@@ -20,7 +19,7 @@ pub fn check_quad(domain: &Domain) -> Vec<Diagnostic> {
     faults
 }
 
-/// Interior angles at A, B, C, D, radians in (0, pi); `None` where they cannot be measured.
+/// Interior angles at A, B, C, D, radians in (0, 2 pi); `None` where they cannot be measured.
 fn corner_angles(domain: &Domain) -> [Option<f64>; 4] {
     let start = |side: &Side| side.path().start;
     let end = |side: &Side| {
@@ -37,8 +36,14 @@ fn corner_angles(domain: &Domain) -> [Option<f64>; 4] {
         (start(&domain.dc), end(&domain.ad)),
     ];
     let corners = domain.corners();
+    let (turns, around) = (domain.corners_turn_left(), domain.turns_left());
     std::array::from_fn(|i| {
-        angle_between(domain.mesh(), &corners[i], &tangents[i].0, &tangents[i].1)
+        let angle = angle_between(domain.mesh(), &corners[i], &tangents[i].0, &tangents[i].1)?;
+        Some(if turns[i] == around {
+            angle
+        } else {
+            2.0 * std::f64::consts::PI - angle
+        })
     })
 }
 
@@ -46,20 +51,32 @@ fn folded_corners(domain: &Domain) -> Vec<Diagnostic> {
     let mut faults = Vec::new();
     for (i, angle) in corner_angles(domain).into_iter().enumerate() {
         let Some(angle) = angle else { continue };
-        if !(CORNER..=std::f64::consts::PI - CORNER).contains(&angle) {
-            faults.push(
-                Diagnostic::error(
-                    codes::FOLDED,
-                    format!(
-                        "the patch has no corner {}: its sides meet there at {:.1}°",
-                        i + 1,
-                        angle.to_degrees()
-                    ),
-                )
+        let degrees = angle.to_degrees();
+        let (message, help) = if angle > std::f64::consts::PI + CORNER {
+            (
+                format!(
+                    "the patch turns inwards at corner {}: its sides meet there at {degrees:.1}°",
+                    i + 1
+                ),
+                "move the corner outwards, or make two patches that meet there: members across a \
+                 corner of more than 180° would leave the patch",
+            )
+        } else if !(CORNER..=std::f64::consts::PI - CORNER).contains(&angle) {
+            (
+                format!(
+                    "the patch has no corner {}: its sides meet there at {degrees:.1}°",
+                    i + 1
+                ),
+                "list the corners in order around the patch, and keep them apart",
+            )
+        } else {
+            continue;
+        };
+        faults.push(
+            Diagnostic::error(codes::FOLDED, message)
                 .at_key(format!(".corners[{i}]"), "this corner")
-                .help("list the corners in order around the patch, and keep them apart"),
-            );
-        }
+                .help(help),
+        );
     }
     faults
 }

@@ -89,6 +89,12 @@ impl Domain {
     /// Whether the corners run counter-clockwise seen from outside, so that the patch lies on the
     /// left of its sides: by the sense in which most corners turn.
     pub fn turns_left(&self) -> bool {
+        let left = self.corners_turn_left().into_iter().filter(|&left| left);
+        left.count() > 2
+    }
+
+    /// Whether the way around turns left at A, B, C and D, seen from outside.
+    pub fn corners_turn_left(&self) -> [bool; 4] {
         let [ab, bc, dc, ad] = [&self.ab, &self.bc, &self.dc, &self.ad].map(Side::path);
         // From the way on to the way back, at A, B, C and D.
         let turns = [
@@ -98,11 +104,7 @@ impl Domain {
             dc.start.direction.cross(&ad.end.direction),
         ];
         let corners = self.corners();
-        let left = turns
-            .iter()
-            .zip(corners)
-            .filter(|(turn, corner)| turn.dot(&corner.normal(self.mesh())) > 0.0);
-        left.count() > 2
+        std::array::from_fn(|i| turns[i].dot(&corners[i].normal(self.mesh())) > 0.0)
     }
 
     /// The loop A, B, C, D as points, each corner once.

@@ -119,7 +119,7 @@ pub fn judge(feasibility: &Feasibility, clad: &Clad, eta_max: f64) -> Vec<Diagno
                     place.x, place.y, place.z, covers[0].eta, covers[1].eta
                 ),
             )
-            .at_key("", "this patch")
+            .at_key(".", "this patch")
             .help(proposal),
         );
     }
@@ -134,7 +134,7 @@ pub fn judge(feasibility: &Feasibility, clad: &Clad, eta_max: f64) -> Vec<Diagno
                      {f:.4} m to {f_planar:.4} m when flat"
                 ),
             )
-            .at_key("", "this patch")
+            .at_key(".", "this patch")
             .help("choose another `alpha`"),
         );
     }

@@ -35,7 +35,7 @@ fn unproved_pairs(unproved: usize) -> Option<Diagnostic> {
     );
     (unproved > 0).then(|| {
         Diagnostic::warning(codes::UNPROVED, message)
-            .at_key("", "this patch")
+            .at_key(".", "this patch")
             .help("make the patch smaller, so that ways around it are long")
     })
 }
@@ -65,7 +65,7 @@ pub(in crate::build) const CLADDING: Stage<
     Clad,
 > = Stage {
     name: "cladding",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, (sides, u, v), _| {
         let maps = Maps {
@@ -138,14 +138,19 @@ pub(in crate::build) const JUDGEMENT: Stage<
     },
 };
 
-/// A geodesic failed inside a patch whose sides were found: the mesh is at fault.
+/// A geodesic failed inside the patch of a stage, whose sides were found: the mesh is at fault.
 pub(super) fn no_geodesic(error: &GeodesicError) -> Failure {
+    no_geodesic_in(".", error)
+}
+
+/// The same with the field of the input that stands for the patch.
+pub(super) fn no_geodesic_in(patch: &str, error: &GeodesicError) -> Failure {
     let code: Code = crate::diagnostics::codes::layout::NO_PATH;
     Diagnostic::error(
         code,
         format!("a geodesic of the patch cannot be found: {error}"),
     )
-    .at_key("", "in this patch")
+    .at_key(patch, "in this patch")
     .help("check the mesh for faces without area")
     .into()
 }

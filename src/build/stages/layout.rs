@@ -77,7 +77,7 @@ fn no_line(error: &GeodesicError) -> Diagnostic {
         ),
     };
     Diagnostic::error(code, format!("no geodesic joins the two anchors: {error}"))
-        .at_key("", "this side")
+        .at_key(".", "this side")
         .help(help)
 }
 
@@ -102,7 +102,7 @@ type Lines = (Node<Side>, Node<Side>, Node<Side>, Node<Side>);
 /// The domain of a patch, on the part of the mesh around it.
 pub(in crate::build) const PATCH: Stage<PatchInput, (Node<SurfaceMesh>, Lines), Domain> = Stage {
     name: "patch",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, (surface, (first, second, third, fourth)), _| {
         let mesh = &surface.mesh;

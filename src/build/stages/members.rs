@@ -1,6 +1,6 @@
 //! Schedules of strips, members, crossings and lamellae.
 
-use super::cladding::no_geodesic;
+use super::cladding::no_geodesic_in;
 use super::{judged, plain};
 use crate::build::{Failure, Node, Numerics, Stage};
 use crate::cladding::Clad;
@@ -111,16 +111,14 @@ pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Vec<Vec<Member>>
 };
 
 fn no_member(error: &WeaveError) -> Failure {
-    let RefineError::NoEqualLength {
-        given,
-        closest,
-        difference,
-    } = error.why
-    else {
-        let RefineError::Geodesic(why) = error.why else {
-            return Failure::Errors(Vec::new());
-        };
-        return no_geodesic(&why);
+    let patch = format!(".passages[{}]", error.passage);
+    let (given, closest, difference) = match error.why {
+        RefineError::Geodesic(why) => return no_geodesic_in(&patch, &why),
+        RefineError::NoEqualLength {
+            given,
+            closest,
+            difference,
+        } => (given, closest, difference),
     };
     let side = match error.given {
         Given::Start => "start",
@@ -136,7 +134,7 @@ fn no_member(error: &WeaveError) -> Failure {
             1000.0 * difference
         ),
     )
-    .at_key(format!(".passages[{}]", error.passage), "in this patch")
+    .at_key(patch, "in this patch")
     .help("split the patch over its peak of curvature, or choose another `alpha`")
     .into()
 }
@@ -181,7 +179,7 @@ fn miscrossings(wrong: &[Miscrossing]) -> Failure {
             times(first.in_plane)
         ),
     )
-    .at_key("", "in this patch")
+    .at_key(".", "in this patch")
     .help("split the patch over its peak of curvature, or choose another `alpha`");
     if others > 0 {
         error = error.note(format!("{others} more pairs do not cross exactly once"));
@@ -194,7 +192,7 @@ type LamellaNeeds = (Node<Vec<Member>>, Node<Vec<Member>>, Node<Vec<Crossing>>);
 /// Lamellae of a patch, u-family first.
 pub(in crate::build) const LAMELLAE: Stage<Section, LamellaNeeds, Vec<Lamella>> = Stage {
     name: "lamellae",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |section, (u, v, crossings), _| {
         let lamellae: Vec<Lamella> = u
@@ -202,8 +200,8 @@ pub(in crate::build) const LAMELLAE: Stage<Section, LamellaNeeds, Vec<Lamella>> 
             .chain(v)
             .map(|member| lamella(member, crossings, section))
             .collect();
-        let mut found = check_flat_state(u, section);
-        found.extend(check_flat_state(v, section));
-        judged(lamellae, found)
+        let found = [u, v].into_iter();
+        let found = found.filter_map(|members| check_flat_state(members, section));
+        judged(lamellae, found.collect())
     },
 };

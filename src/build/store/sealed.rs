@@ -75,7 +75,15 @@ pub(super) fn write(
 pub(super) fn read(path: &Path, magic: Magic) -> Read {
     let bytes = match fs::read(path) {
         Ok(bytes) => bytes,
-        Err(error) if error.kind() == io::ErrorKind::NotFound => return Read::Absent,
+        // A folder on the way may be a file: then there is nothing below it either.
+        Err(error)
+            if matches!(
+                error.kind(),
+                io::ErrorKind::NotFound | io::ErrorKind::NotADirectory
+            ) =>
+        {
+            return Read::Absent;
+        }
         Err(error) => return Read::Damaged(error.to_string()),
     };
     let Some((header, payload)) = bytes.split_at_checked(HEADER) else {

@@ -63,26 +63,35 @@ fn finished(console: Console, job: &Job, built: &Built, begin: Instant) {
     });
     let files = match (publication.written.len(), publication.removed.len()) {
         (0, 0) => String::new(),
-        (written, 0) => format!(", {written} files written"),
-        (written, removed) => format!(", {written} files written, {removed} removed"),
+        (written, 0) => format!(", {} written", counted(written, "file")),
+        (written, removed) => format!(", {} written, {removed} removed", counted(written, "file")),
     };
     let seconds = begin.elapsed().as_secs_f64();
     if built.succeeded() {
         console.status(
             "Finished",
             &format!(
-                "{name} in {seconds:.2} s ({} stages, {cached} cached{files}) in {}",
-                built.stages.len(),
+                "{name} in {seconds:.2} s ({}, {cached} cached{files}) in {}",
+                counted(built.stages.len(), "stage"),
                 job.output.display()
             ),
         );
     } else {
-        let skipped = built.count(How::Skipped);
-        console.status(
-            "Failed",
-            &format!("{name}: {failed} stages failed, {skipped} skipped{files}"),
-        );
+        let skipped = match built.count(How::Skipped) {
+            0 => String::new(),
+            skipped => format!(", {skipped} that need them skipped"),
+        };
+        let what = match failed {
+            0 => format!("{name}: not all files could be written"),
+            failed => format!("{name}: {} failed{skipped}", counted(failed, "stage")),
+        };
+        console.status("Failed", &format!("{what}{files}"));
     }
+}
+
+fn counted(count: usize, what: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{plural}")
 }
 
 #[derive(Serialize)]
@@ -183,9 +192,7 @@ fn describe(plan: &Plan) -> String {
             State::Skipped | State::Cached => {}
         }
     }
-    let _ = writeln!(
-        text,
-        "{running} stages to run, {maybe} perhaps, {cached} cached"
-    );
+    let running = counted(running, "stage");
+    let _ = writeln!(text, "{running} to run, {maybe} perhaps, {cached} cached");
     text
 }

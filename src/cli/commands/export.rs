@@ -21,7 +21,12 @@ pub(in crate::cli) fn run(
     let mut job = Job::prepare(console, global, opened)?;
     let built = job.build(&Request::default(), Extent::Plan)?;
     let Some(plan) = plan_of(&built) else {
-        return Ok(Exit::Errors);
+        let exit = Job::verdict(&built);
+        if exit == Exit::Done {
+            console.complain("the plan cannot be read back from the cache", None);
+            return Ok(Exit::Usage);
+        }
+        return Ok(exit);
     };
     out(&match format {
         PlanFormat::Json => to_json(&plan),

@@ -27,6 +27,13 @@ pub(in crate::cli) fn run(console: Console, name: &str) -> Exit {
         );
         return Exit::Usage;
     };
+    if folder.exists() {
+        console.complain(
+            &format!("`{name}` exists already"),
+            Some("choose another name; nothing was written"),
+        );
+        return Exit::Usage;
+    }
     match write(folder, stem) {
         Ok(()) => {
             console.status(

@@ -74,7 +74,8 @@ bounds, make the patch smaller or allow more.",
         text: "\
 In the flat state lamellae of one family lie side by side in one layer. Their centre lines have to \
 keep the width of a lamella and a tenth of it as play. The more compact the plan, the closer they \
-lie; angles further open are not feasible for other reasons.
+lie; angles further open are not feasible for other reasons. A side that is shorter than its \
+lamellae are wide together has no room at any angle.
 
 Take fewer members, narrower lamellae, or widen the bounds that keep the plan from opening \
 (`split.slope`).",

@@ -60,9 +60,10 @@ surface, or the mesh has faces without area on the way.",
         name: "folded-patch",
         title: "a patch folds over at a corner",
         text: "\
-Corners go around a patch. At this corner the two sides leave in the same direction or turn the \
-wrong way, so that the patch is no quadrilateral: usually two corners are listed in the wrong \
-order.
+Corners go around a patch. At this corner the two sides leave in the same direction, go straight \
+on, or turn inwards, so that the patch is no convex quadrilateral: members near the corner would \
+leave it and cross its sides. Usually two corners are listed in the wrong order, or one lies \
+between its neighbours.
 
     corners = [\"a\", \"b\", \"c\", \"d\"]     # around the patch, not across it",
     },

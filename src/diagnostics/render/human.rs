@@ -1,11 +1,13 @@
 //! The form for people: miette's snippets, with the code in front, facts and advice behind.
 
+use super::printable;
 use super::source::{Found, Source, Sources, line_column, mark_length};
 use crate::diagnostics::{Diagnostic, Label, Severity};
 use miette::{
     GraphicalReportHandler, GraphicalTheme, LabeledSpan, NamedSource, NarratableReportHandler,
     SourceCode,
 };
+use std::borrow::Cow;
 use std::fmt;
 
 /// How a report looks.
@@ -19,14 +21,43 @@ pub enum Style {
     Narrated,
 }
 
-/// Renders diagnostics in their order, each followed by an empty line.
+/// Renders diagnostics in their order, each followed by an empty line. Control characters of the
+/// files are shown as others.
 pub fn human(diagnostics: &[Diagnostic], sources: &Sources<'_>, style: Style) -> String {
+    let project = [sources.project.name, sources.project.text].map(printable);
+    let mesh = sources
+        .mesh
+        .map(|mesh| [mesh.name, mesh.text].map(printable));
+    let sources = Sources {
+        project: Source {
+            name: &project[0],
+            text: &project[1],
+        },
+        spans: sources.spans,
+        mesh: mesh.as_ref().map(|[name, text]| Source { name, text }),
+    };
     let mut text = String::new();
     for diagnostic in diagnostics {
-        text.push_str(&one(diagnostic, sources, style));
+        text.push_str(&one(&shown(diagnostic), &sources, style));
         text.push('\n');
     }
     text
+}
+
+/// A diagnostic in characters that are shown: names in it come from files.
+fn shown(diagnostic: &Diagnostic) -> Diagnostic {
+    let mut diagnostic = diagnostic.clone();
+    let labels = diagnostic.labels.iter_mut().map(|label| &mut label.text);
+    let texts = labels
+        .chain(&mut diagnostic.notes)
+        .chain(&mut diagnostic.help)
+        .chain([&mut diagnostic.message]);
+    for text in texts {
+        if let Cow::Owned(shown) = printable(text) {
+            *text = shown;
+        }
+    }
+    diagnostic
 }
 
 fn one(diagnostic: &Diagnostic, sources: &Sources<'_>, style: Style) -> String {

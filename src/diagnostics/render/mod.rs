@@ -5,10 +5,12 @@
 
 mod human;
 mod json;
+mod printable;
 mod source;
 
 pub use human::{Style, human};
 pub use json::{JsonDiagnostic, JsonLabel, JsonPosition, json_lines};
+pub use printable::printable;
 pub use source::{Source, Sources};
 
 use super::{Diagnostic, Severity};

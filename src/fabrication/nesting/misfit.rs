@@ -4,6 +4,9 @@ use super::{Blank, Format, Settings};
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::fabrication as codes;
 
+/// So many of the parts that do not fit are named.
+const NAMED: usize = 6;
+
 /// Why a group does not fit on a format, if so.
 pub(super) fn misfit(
     blanks: &[&Blank],
@@ -42,7 +45,10 @@ pub(super) fn misfit(
                     width * 1e3
                 ),
             )
-            .at_key("fabrication.stock", "less margins, and the bed's width")
+            .at_key(
+                "fabrication.stock",
+                "the width of a sheet, or of the bed where that is less, without margins",
+            )
             .about(&widest.id),
         );
     }
@@ -57,12 +63,20 @@ pub(super) fn misfit(
             length * 1e3
         ),
     )
-    .at_key("fabrication.stock", "less margins, and the bed's length")
+    .at_key(
+        "fabrication.stock",
+        "the length of a sheet, or of the bed where that is less, without margins",
+    )
     .help("choose longer stock, or set `splice` in `[fabrication]`")
     .about(&longest.id);
     if !others.is_empty() {
-        let names: Vec<String> = others.iter().map(|b| format!("`{}`", b.id)).collect();
-        diagnostic = diagnostic.note(format!("too long as well: {}", names.join(", ")));
+        let named = others.iter().take(NAMED);
+        let names: Vec<String> = named.map(|b| format!("`{}`", b.id)).collect();
+        let more = match others.len().saturating_sub(NAMED) {
+            0 => String::new(),
+            more => format!(" and {more} more"),
+        };
+        diagnostic = diagnostic.note(format!("too long as well: {}{more}", names.join(", ")));
     }
     Some(diagnostic)
 }

@@ -291,7 +291,8 @@ fn cut(kerf: f64, spacing: Option<f64>, said: &FabricationSection, sink: &mut Si
             if said.kerf.is_some() {
                 diagnostic = diagnostic.at_key("fabrication.kerf", "the kerf");
             }
-            diagnostic.help("use at least 2 mm")
+            let enough = libm::ceil(kerf * 1e3) + 2.0;
+            diagnostic.help(format!("use at least {enough} mm"))
         });
     }
 }

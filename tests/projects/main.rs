@@ -1,0 +1,26 @@
+//! The example projects from end to end: what the program writes, whether it always writes the
+//! same, and whether what it writes is true.
+
+mod builds;
+mod conditions;
+mod geometry;
+#[path = "../common/program.rs"]
+mod program;
+#[path = "../common/python.rs"]
+mod python;
+mod readers;
+
+use std::path::{Path, PathBuf};
+
+/// The projects of the repository, and one of several patches.
+const PROJECTS: [&str; 4] = [
+    "projects/desktop/desktop.toml",
+    "projects/saddle/saddle.toml",
+    "projects/sphere-cap/sphere-cap.toml",
+    "tests/corpus/designs/good/junction.toml",
+];
+
+/// A file of the repository.
+fn root(path: &str) -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join(path)
+}
