@@ -15,8 +15,9 @@
 //! | `cladding` | patch | `alpha`, `members`, `split.slope`, `lamella.width` | `sides`, `distances` |
 //! | `feasibility` | patch | | `surface`, `curvature`, `patch` |
 //! | `judgement` | patch | `split.eta_max` | `feasibility`, `cladding` |
-//! | `distribution` | patch and family | `members`, `distribution.weights` | `cladding` |
-//! | `members` | patch and family | | `patch`, `cladding`, `distribution` |
+//! | `schedule` | strip | `members`, `distribution.weights`, shares of corners | `cladding` |
+//! | `strip` | strip | the same | `patch`, `cladding`, `schedule` |
+//! | `members` | patch and family | | `strip` |
 //! | `grid` | patch | | `patch`, `members` |
 //! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
 //! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |
@@ -30,6 +31,7 @@
 //! that is renamed keeps its geometry. Points and patches are declared by name, so their order in
 //! the file does not matter either.
 
+use super::passages::{count, family_target, strip_groups};
 use super::stages::cladding::{
     CLADDING, CladdingInput, DISTANCES, FEASIBILITY, FeasibilityInput, JUDGEMENT, SIDES,
 };
@@ -38,19 +40,21 @@ use super::stages::fabrication::{
     PLAN_FILE, SHEET_FILES, TABLE_FILES,
 };
 use super::stages::layout::{ANCHOR, ANCHORS, Anchors, LINE, PATCH, PatchInput, STATION};
-use super::stages::members::{DISTRIBUTION, DistributionInput, GRID, LAMELLAE, MEMBERS};
+use super::stages::members::{GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP};
 use super::stages::plan::{
     CHAPTER, ChapterInput, EdgeInput, PLAN, PlanInput, SKELETON, SkeletonInput,
 };
 use super::stages::surface::{CURVATURE, SURFACE, SurfaceInput};
 use super::{Built, Graph, Node, SourceFile, Warnings};
+use crate::cladding::Clad;
 use crate::diagnostics::{KeyPath, SpanTable};
 use crate::fabrication::nesting::Settings;
 use crate::grid::Section;
-use crate::layout::{Network, Side, edge_id};
+use crate::layout::{Domain, Network, Side, edge_id};
+use crate::members::Member;
 use crate::plan::Plan;
 use crate::project::model::{Family, Patch, Point, Project};
-use crate::project::strips;
+use crate::splitting::Feasibility;
 use crate::surface::{Curvature, ReadOptions, SurfaceMesh, SurfacePoint};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -103,20 +107,22 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
     let told = &mut vec![(String::new(), surface.warnings())];
     told.push((String::new(), lines.anchors.warnings()));
     let skeleton = skeleton(graph, surface, curvature, &network, &mut lines, &nodes);
-    let counts = Counts::of(project);
+    let basis = Basis {
+        design,
+        surface,
+        curvature,
+        network: &network,
+    };
+    let planned: Vec<PlannedPatch> = patches
+        .iter()
+        .enumerate()
+        .map(|(i, patch)| plan_patch(graph, &basis, &mut lines, patch, i, told))
+        .collect();
+    let members = weave_strips(graph, project, &patches, &network, &planned);
     let chapters: Vec<Node<Plan>> = patches
         .iter()
         .enumerate()
-        .map(|(i, patch)| {
-            let basis = Basis {
-                design,
-                surface,
-                curvature,
-                network: &network,
-                counts: &counts,
-            };
-            chapter(graph, &basis, &mut lines, patch, i, told)
-        })
+        .map(|(i, patch)| chapter(graph, &basis, patch, i, &planned[i], &members, told))
         .collect();
 
     let nest = graph.add(
@@ -330,140 +336,145 @@ fn skeleton(
     )
 }
 
-/// Numbers of members per patch and family, chained over strips.
-struct Counts(BTreeMap<(String, Family), u32>);
-
-impl Counts {
-    fn of(project: &Project) -> Self {
-        let names = strips::Network::of(project);
-        let said = |passage: &strips::Passage| {
-            let patch = &project.patches[passage.patch];
-            match passage.family {
-                Family::U => patch.u,
-                Family::V => patch.v,
-            }
-        };
-        let mut counts = BTreeMap::new();
-        for strip in names.strips().strips {
-            let count = strip.passages.iter().find_map(said);
-            for passage in &strip.passages {
-                if let Some(count) = count {
-                    let name = project.patches[passage.patch].name.clone();
-                    counts.insert((name, passage.family), count);
-                }
-            }
-        }
-        Self(counts)
-    }
-
-    /// A checked project says each strip's count; two members are the least there can be.
-    fn get(&self, patch: &str, family: Family) -> u32 {
-        self.0
-            .get(&(patch.to_owned(), family))
-            .copied()
-            .unwrap_or(2)
-    }
-}
-
-/// What the chapters of all patches share.
+/// What all patches share.
 struct Basis<'a> {
     design: Design<'a>,
     surface: Node<SurfaceMesh>,
     curvature: Node<Curvature>,
     network: &'a Network,
-    counts: &'a Counts,
 }
 
-fn chapter(
+/// A patch up to its plan.
+struct PlannedPatch {
+    domain: Node<Domain>,
+    clad: Node<Clad>,
+    feasibility: Node<Feasibility>,
+    judgement: Node<bool>,
+}
+
+fn plan_patch(
     graph: &mut Graph<'_>,
     basis: &Basis<'_>,
     lines: &mut Lines<'_>,
     patch: &Patch,
     index: usize,
     told: &mut Vec<(String, Warnings)>,
-) -> Node<Plan> {
+) -> PlannedPatch {
     let Basis {
         design,
         surface,
         curvature,
         network,
-        counts,
     } = *basis;
     let project = design.project;
     let name = &patch.name;
     let here = key(&["patches", name]);
     let pieces = network.sides[index];
-    let shares = pieces
+    let corners = pieces
         .map(|piece| [piece.from, piece.to].map(|i| network.lines[piece.line].stations[i].share));
     let [first, second, third, fourth] = pieces.map(|piece| lines.line(graph, piece.line));
-    let domain = graph.add(
-        &PATCH,
-        name,
-        PatchInput { corners: shares },
-        (surface, (first, second, third, fourth)),
-    );
+    let needs = (surface, (first, second, third, fourth));
+    let domain = graph.add(&PATCH, name, PatchInput { corners }, needs);
     graph.origin(domain, "", &here);
     graph.origin(domain, "corners", format!("{here}.corners"));
 
     let sides = graph.add(&SIDES, name, (), domain);
-    let families = [Family::U, Family::V];
-    let target = |family: Family| format!("{name}.{}", if family == Family::U { "u" } else { "v" });
-    let [u, v] = families.map(|family| {
-        let node = graph.add(&DISTANCES, target(family), family, domain);
+    let [u, v] = [Family::U, Family::V].map(|family| {
+        let node = graph.add(&DISTANCES, family_target(name, family), family, domain);
         graph.origin(node, "", &here);
+        told.push((name.clone(), node.warnings()));
         node
     });
-    let members = families.map(|family| counts.get(name, family));
-    let clad = graph.add(
-        &CLADDING,
-        name,
-        CladdingInput {
-            alpha: patch.alpha,
-            slope: project.split.slope,
-            members,
-            width: patch.lamella.width,
-        },
-        (sides, u, v),
-    );
+    let input = CladdingInput {
+        alpha: patch.alpha,
+        slope: project.split.slope,
+        members: [Family::U, Family::V].map(|family| count(patch, family)),
+        width: patch.lamella.width,
+    };
+    let clad = graph.add(&CLADDING, name, input, (sides, u, v));
     graph.origin(clad, "", &here);
     graph.origin(clad, "slope", "split.slope");
     graph.origin(clad, "width", lamella_key(design.spans, name, "width"));
 
     let feasibility = graph.add(&FEASIBILITY, name, (), (surface, curvature, domain));
     graph.origin(feasibility, "", &here);
-    let judgement = graph.add(
-        &JUDGEMENT,
-        name,
-        FeasibilityInput {
-            eta_max: project.split.eta_max,
-        },
-        (feasibility, clad),
-    );
+    let input = FeasibilityInput {
+        eta_max: project.split.eta_max,
+    };
+    let judgement = graph.add(&JUDGEMENT, name, input, (feasibility, clad));
     graph.origin(judgement, "", &here);
     graph.origin(judgement, "eta_max", "split.eta_max");
     told.push((name.clone(), judgement.warnings()));
+    PlannedPatch {
+        domain,
+        clad,
+        feasibility,
+        judgement,
+    }
+}
 
-    let [u, v] = families.map(|family| {
-        let [start, end] = match family {
-            Family::U => [[0, 1], [3, 2]],
-            Family::V => [[0, 3], [1, 2]],
-        };
-        let input = DistributionInput {
-            family,
-            count: counts.get(name, family),
-            weights: [start, end]
-                .map(|side| weight(project, side.map(|i: usize| &patch.corners[i]))),
-        };
-        let shares = graph.add(&DISTRIBUTION, target(family), input, clad);
-        graph.origin(shares, "", format!("{here}.members"));
-        graph.origin(shares, "weights", "distribution.weights");
-        let node = graph.add(&MEMBERS, target(family), family, (domain, clad, shares));
-        graph.origin(node, "", &here);
-        node
-    });
+type MembersOf = BTreeMap<(usize, Family), Node<Vec<Member>>>;
+
+/// Members of all strips, and of each family of each patch out of them.
+fn weave_strips(
+    graph: &mut Graph<'_>,
+    project: &Project,
+    patches: &[Patch],
+    network: &Network,
+    planned: &[PlannedPatch],
+) -> MembersOf {
+    let mut members = MembersOf::new();
+    for group in strip_groups(project, patches, network) {
+        let patches_in = || group.passages.iter().map(|&(patch, _)| &planned[patch]);
+        let clads: Vec<Node<Clad>> = patches_in().map(|p| p.clad).collect();
+        let domains = patches_in().map(|p| p.domain).collect();
+        let schedule = graph.add(&SCHEDULE, &group.name, group.input.clone(), clads.clone());
+        let needs = (domains, clads, schedule);
+        let strip = graph.add(&STRIP, &group.name, group.input, needs);
+        for (i, &(patch, family)) in group.passages.iter().enumerate() {
+            let name = &patches[patch].name;
+            let here = key(&["patches", name]);
+            strip_origins(graph, schedule, i, &here);
+            strip_origins(graph, strip, i, &here);
+            let node = graph.add(&MEMBERS, family_target(name, family), i as u32, strip);
+            members.insert((patch, family), node);
+        }
+    }
+    members
+}
+
+/// Where the fields of a passage come from.
+fn strip_origins<T>(graph: &mut Graph<'_>, node: Node<T>, passage: usize, patch: &str) {
+    let field = format!("passages[{passage}]");
+    graph.origin(node, format!("{field}.count"), format!("{patch}.members"));
+    graph.origin(node, format!("{field}.weights"), "distribution.weights");
+    graph.origin(node, field, patch);
+}
+
+fn chapter(
+    graph: &mut Graph<'_>,
+    basis: &Basis<'_>,
+    patch: &Patch,
+    index: usize,
+    planned: &PlannedPatch,
+    members: &MembersOf,
+    told: &mut Vec<(String, Warnings)>,
+) -> Node<Plan> {
+    let Basis {
+        design, network, ..
+    } = *basis;
+    let name = &patch.name;
+    let here = key(&["patches", name]);
+    let PlannedPatch {
+        domain,
+        clad,
+        feasibility,
+        judgement,
+    } = *planned;
+    let [u, v] = [Family::U, Family::V].map(|family| members[&(index, family)]);
     let grid = graph.add(&GRID, name, (), (domain, u, v));
     graph.origin(grid, "", &here);
-    let section = section(project, patch);
+    let section = section(design.project, patch);
     let lamellae = graph.add(&LAMELLAE, name, section.clone(), (u, v, grid));
     graph.origin(lamellae, "", &here);
     for field in ["width", "thickness"] {
@@ -480,25 +491,22 @@ fn chapter(
     );
     told.push((name.clone(), lamellae.warnings()));
 
-    let stretches = pieces.map(|piece| {
+    let sides = network.sides[index].map(|piece| {
         let stations = &network.lines[piece.line].stations;
         piece
             .segments()
             .map(|(i, j)| edge_id(&stations[i].name, &stations[j].name))
             .collect()
     });
-    let chapter = graph.add(
-        &CHAPTER,
-        name,
-        ChapterInput {
-            patch: name.clone(),
-            corners: patch.corners.clone(),
-            sides: stretches,
-            material: patch.lamella.material.clone(),
-            section,
-        },
-        (domain, clad, feasibility, judgement, u, v, grid, lamellae),
-    );
+    let input = ChapterInput {
+        patch: name.clone(),
+        corners: patch.corners.clone(),
+        sides,
+        material: patch.lamella.material.clone(),
+        section,
+    };
+    let needs = (domain, clad, feasibility, judgement, u, v, grid, lamellae);
+    let chapter = graph.add(&CHAPTER, name, input, needs);
     graph.origin(chapter, "", &here);
     graph.origin(
         chapter,
@@ -531,16 +539,6 @@ fn section(project: &Project, patch: &Patch) -> Section {
         // A checked project knows the materials of its lamellae.
         density: material.map_or(0.0, |m| m.density),
     }
-}
-
-/// Weight of a side in the even distribution.
-fn weight(project: &Project, side: [&String; 2]) -> f64 {
-    let said = project
-        .distribution
-        .weights
-        .iter()
-        .find(|([a, b], _)| [a, b] == side || [b, a] == side);
-    said.map_or(1.0, |(_, weight)| *weight)
 }
 
 /// Where the project says a lamella's field of a patch: the patch's own, or the common one.

@@ -8,6 +8,7 @@ pub mod graph;
 mod key;
 mod location;
 mod needs;
+mod passages;
 mod plan;
 mod publish;
 mod reason;

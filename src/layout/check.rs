@@ -38,7 +38,7 @@ fn corner_angles(domain: &Domain) -> [Option<f64>; 4] {
     ];
     let corners = domain.corners();
     std::array::from_fn(|i| {
-        angle_between(&domain.mesh, &corners[i], &tangents[i].0, &tangents[i].1)
+        angle_between(domain.mesh(), &corners[i], &tangents[i].0, &tangents[i].1)
     })
 }
 
@@ -65,7 +65,7 @@ fn folded_corners(domain: &Domain) -> Vec<Diagnostic> {
 }
 
 fn crossing_sides(domain: &Domain) -> Vec<Diagnostic> {
-    let mesh = &domain.mesh;
+    let mesh = domain.mesh();
     let sides = [&domain.ab, &domain.bc, &domain.dc, &domain.ad];
     let curves = sides.map(|side| Curve::new(mesh, &side.path().points));
     let name = |i: usize| format!("{}-{}", i + 1, (i + 1) % 4 + 1);

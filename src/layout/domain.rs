@@ -4,15 +4,15 @@ use super::Side;
 use crate::cladding::SideLengths;
 use crate::geodesic::angle_between;
 use crate::project::model::Family;
-use crate::surface::{Mesh, SurfacePoint};
+use crate::surface::{Mesh, SubMesh, SurfacePoint};
 use serde::{Deserialize, Serialize};
 
 /// A geodesic quadrilateral A, B, C, D on a mesh. Its sides run the way its members do: AB and DC
 /// carry the coordinate of the u-family, AD and BC that of the v-family.
-#[derive(Debug, Clone, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Domain {
-    /// The mesh, or the part of it around the patch.
-    pub mesh: Mesh,
+    /// The part of the surface around the patch.
+    pub part: SubMesh,
     /// Where u-members start, from A to B.
     pub ab: Side,
     /// Where v-members end, from B to C.
@@ -24,6 +24,11 @@ pub struct Domain {
 }
 
 impl Domain {
+    /// The mesh of the part; the sides lie on it.
+    pub fn mesh(&self) -> &Mesh {
+        self.part.mesh()
+    }
+
     /// Where a family starts.
     pub fn start(&self, family: Family) -> &Side {
         match family {
@@ -74,7 +79,7 @@ impl Domain {
     pub fn angle_at_a(&self) -> Option<f64> {
         let at = self.ab.path().points[0];
         angle_between(
-            &self.mesh,
+            self.mesh(),
             &at,
             &self.ab.path().start,
             &self.ad.path().start,
@@ -96,7 +101,7 @@ impl Domain {
         let left = turns
             .iter()
             .zip(corners)
-            .filter(|(turn, corner)| turn.dot(&corner.normal(&self.mesh)) > 0.0);
+            .filter(|(turn, corner)| turn.dot(&corner.normal(self.mesh())) > 0.0);
         left.count() > 2
     }
 

@@ -1,7 +1,7 @@
 //! A side of a patch: a piece of a shortest geodesic, parametrised by shares of its length.
 
 use crate::geodesic::Path;
-use crate::surface::{Mesh, SurfacePoint, Tangent};
+use crate::surface::{Mesh, SubMesh, SurfacePoint, Tangent};
 use serde::{Deserialize, Serialize};
 
 /// A shortest geodesic that is walked at constant speed: a coordinate in [0, 1] is a share of arc
@@ -62,6 +62,29 @@ impl Side {
     #[must_use]
     pub fn reversed(&self, mesh: &Mesh) -> Self {
         Self::new(mesh, self.path.reversed())
+    }
+
+    /// The same side on a part of its mesh; `None` if some of it is not there.
+    pub fn on_part(&self, parent: &Mesh, part: &SubMesh) -> Option<Self> {
+        let point = |p: &SurfacePoint| part.point_from_parent(parent, p);
+        let face = |f: &u32| part.face_from_parent(*f);
+        let tangent = |t: &Tangent| {
+            Some(Tangent {
+                face: part.face_from_parent(t.face)?,
+                direction: t.direction,
+            })
+        };
+        let path = Path {
+            points: self.path.points.iter().map(point).collect::<Option<_>>()?,
+            faces: self.path.faces.iter().map(face).collect::<Option<_>>()?,
+            length: self.path.length,
+            start: tangent(&self.path.start)?,
+            end: tangent(&self.path.end)?,
+        };
+        Some(Self {
+            path,
+            lengths: self.lengths.clone(),
+        })
     }
 
     /// Its path.

@@ -66,11 +66,10 @@ const SEARCH: f64 = 0.05;
 /// Solves for one member; each gains several digits.
 const MOST_SOLVES: usize = 24;
 
-/// Solves the other end of an inner member.
+/// Solves the other end of an inner member; its index is for whoever knows the others.
 pub fn refine(
     geodesics: &Geodesics<'_>,
     between: &Between<'_>,
-    index: u32,
     given: Given,
     share: f64,
     guess: f64,
@@ -121,7 +120,7 @@ pub fn refine(
                 let family = between.family;
                 return Ok(Member {
                     family,
-                    index,
+                    index: 0,
                     boundary: false,
                     start,
                     end,
@@ -195,10 +194,10 @@ impl Search {
 }
 
 /// A boundary member: a side of the patch itself.
-pub fn boundary_member(between: &Between<'_>, index: u32, share: f64, path: Path) -> Member {
+pub fn boundary_member(between: &Between<'_>, share: f64, path: Path) -> Member {
     Member {
         family: between.family,
-        index,
+        index: 0,
         boundary: true,
         start: share,
         end: share,

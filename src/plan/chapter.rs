@@ -56,7 +56,7 @@ pub fn patch_chapter(
     results: &PatchResults<'_>,
     section: &Section,
 ) -> Plan {
-    let mesh = &results.domain.mesh;
+    let mesh = results.domain.mesh();
     let members: Vec<MemberRecord> = results
         .u
         .iter()

@@ -96,6 +96,11 @@ pub fn load(text: &str, notation: Notation, file_name: &str) -> Loaded {
     if let Some(project) = &project {
         diagnostics = crate::diagnostics::without_allowed(diagnostics, &project.allowed_lints);
     }
+    // In another version of the language all the rest may be right.
+    let is_other_format = |diagnostic: &Diagnostic| diagnostic.code.as_str() == "E0106";
+    if diagnostics.iter().any(is_other_format) {
+        diagnostics.retain(is_other_format);
+    }
     diagnostics.sort_by_key(|diagnostic| start(diagnostic, &spans));
     Loaded {
         project: project.filter(|_| !failed),

@@ -20,7 +20,7 @@ pub struct Project {
     pub patches: Vec<Patch>,
     /// `[distribution]`.
     pub distribution: Distribution,
-    /// `[materials]`: every material that a lamella names, built in or the user's.
+    /// Every material that a lamella or a study names, built in or of `[materials]`, by name.
     pub materials: Vec<Material>,
     /// `[split]`.
     pub split: Split,
@@ -41,7 +41,8 @@ pub struct Project {
 /// The design surface: which file, and how to read it.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Surface {
-    /// Path as written, relative to the project file.
+    /// Path as written, relative to the project file, `/` between its parts. It may hold `..`;
+    /// whether it stays within the repository only the file system can tell.
     pub mesh: String,
     /// Metres per unit of the mesh, the factor `scale` included.
     pub metres_per_unit: f64,
@@ -97,10 +98,10 @@ pub struct Patch {
     pub name: String,
     /// Names of its four anchors in order around it.
     pub corners: [String; 4],
-    /// Members of the u-family, boundary members included; may come from another patch of the
-    /// strip.
+    /// Members of the u-family, boundary members included. A loaded project has every count: of
+    /// the patch itself, of its strip, or computed across a T-junction.
     pub u: Option<u32>,
-    /// Members of the v-family.
+    /// Members of the v-family, likewise.
     pub v: Option<u32>,
     /// Planar angle at the first corner, radians; `None` lets the compiler choose.
     pub alpha: Option<f64>,
@@ -153,7 +154,7 @@ pub struct Material {
     pub density: f64,
     /// Bending strength, Pa.
     pub bending_strength: f64,
-    /// Price of a square metre of sheet, in the project's currency.
+    /// Price of a square metre of sheet, in the project's one currency.
     pub price: Option<f64>,
     /// Which way the grain runs in a lamella.
     pub grain: Grain,

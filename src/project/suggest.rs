@@ -11,23 +11,30 @@ const MOST_LISTED: usize = 8;
 const LONGEST_SEARCHED: usize = 64;
 const MOST_SEARCHED: usize = 2000;
 
-/// A sentence of help: close names, else all names where they are few, else nothing.
+/// A sentence of help: close names, else all names where they are few, else nothing. `what` is
+/// what the names name, in the singular.
 pub(crate) fn help<'a>(
     written: &str,
     what: &str,
     valid: impl IntoIterator<Item = &'a str>,
 ) -> Option<String> {
     let valid: Vec<&str> = valid.into_iter().collect();
-    let close = close_names(written, &valid);
-    if !close.is_empty() {
-        return Some(format!("did you mean {}?", one_of(&close)));
+    if let Some(question) = did_you_mean(written, &valid) {
+        return Some(question);
     }
+    let plural = if what.ends_with("ch") { "es" } else { "s" };
     match valid.len() {
         0 => None,
         1 => Some(format!("the only {what} is `{}`", valid[0])),
-        2..=MOST_LISTED => Some(format!("the {what}s are {}", all_of(&valid))),
+        2..=MOST_LISTED => Some(format!("the {what}{plural} are {}", all_of(&valid))),
         _ => None,
     }
+}
+
+/// The question for close names, if there are any.
+pub(crate) fn did_you_mean(written: &str, valid: &[&str]) -> Option<String> {
+    let close = close_names(written, valid);
+    (!close.is_empty()).then(|| format!("did you mean {}?", one_of(&close)))
 }
 
 /// Whether the one was probably meant to be the other.

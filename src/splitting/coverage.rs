@@ -32,7 +32,9 @@ pub fn coverage(
 ) -> Result<[Coverage; 2], GeodesicError> {
     let families = [Family::U, Family::V];
     let feet = |side: &Side| -> Vec<SurfacePoint> {
-        (0..FEET).map(|i| side.at(&domain.mesh, share(i))).collect()
+        (0..FEET)
+            .map(|i| side.at(domain.mesh(), share(i)))
+            .collect()
     };
     let sides = families.map(|f| (feet(domain.start(f)), feet(domain.end(f))));
     let all: Vec<SurfacePoint> = sides

@@ -38,30 +38,41 @@ impl Feasibility {
     }
 }
 
-/// Measures a patch.
+/// Measures a patch. `mesh` and `curvature` are those of the whole surface, of which the domain is
+/// a part.
 pub fn feasibility(
     mesh: &Mesh,
     curvature: &Curvature,
     domain: &Domain,
 ) -> Result<Feasibility, GeodesicError> {
-    let region = vertices_inside(mesh, &domain.ring(), domain.turns_left());
+    let region: Vec<u32> = vertices_inside(domain.mesh(), &domain.ring(), domain.turns_left())
+        .into_iter()
+        .map(|vertex| domain.part.vertex_to_parent(vertex))
+        .collect();
     let [a, b, c, d] = domain.corners();
-    let highest = highest(mesh, curvature, &region, a);
-    let geodesics = Geodesics::new(&domain.mesh);
+    let highest = highest(mesh, curvature, &region, domain.part.point_to_parent(&a));
+    let geodesics = Geodesics::new(domain.mesh());
     // A curvature peak on the rim of the patch has no two sides of it to be passed on.
-    let significant: Vec<SurfacePoint> = peaks(mesh, curvature, &region, PeakOptions::default())
+    let significant: Vec<u32> = peaks(mesh, curvature, &region, PeakOptions::default())
         .into_iter()
         .filter(|peak| !peak.on_rim)
-        .map(|peak| SurfacePoint::Vertex(peak.vertex))
+        .map(|peak| peak.vertex)
         .collect();
+    let cover = |vertex: &u32| {
+        let in_part = domain.part.vertex_from_parent(*vertex)?;
+        Some(coverage(domain, &geodesics, &SurfacePoint::Vertex(in_part)))
+    };
     Ok(Feasibility {
         curvature_max: highest.0,
         peak: highest.1.position(mesh),
         coverage: significant
             .iter()
-            .map(|peak| coverage(domain, &geodesics, peak))
+            .filter_map(cover)
             .collect::<Result<_, _>>()?,
-        peaks: significant.iter().map(|peak| peak.position(mesh)).collect(),
+        peaks: significant
+            .iter()
+            .map(|&vertex| mesh.position(vertex))
+            .collect(),
         diagonals: [
             geodesics.shortest(&a, &c)?.length,
             geodesics.shortest(&b, &d)?.length,

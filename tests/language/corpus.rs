@@ -1,19 +1,10 @@
 //! Wrong project files, each with its golden report.
 
-use crate::files::cases;
+use crate::files::{cases, golden};
 use egg::diagnostics::render::{Style, human};
 use egg::diagnostics::{Severity, codes};
 use egg::project::{Capability, Notation, decode, load, unbuilt};
 use std::collections::BTreeSet;
-
-/// Settings of the golden files of this room.
-fn golden() -> insta::Settings {
-    let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../golden/projects");
-    settings.set_prepend_module_to_snapshot(false);
-    settings.set_omit_expression(true);
-    settings
-}
 
 #[test]
 fn every_wrong_project_is_reported_as_its_golden_text_says() {
@@ -21,7 +12,7 @@ fn every_wrong_project_is_reported_as_its_golden_text_says() {
     assert!(cases.len() >= 40);
     for case in cases {
         let report = human(&case.loaded.diagnostics, &case.sources(), Style::Plain);
-        golden().bind(|| insta::assert_snapshot!(case.name.as_str(), report));
+        golden("projects").bind(|| insta::assert_snapshot!(case.name.as_str(), report));
     }
 }
 

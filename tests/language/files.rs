@@ -68,3 +68,12 @@ pub(crate) fn cases(folder: &str) -> Vec<Case> {
         })
         .collect()
 }
+
+/// Settings of the golden files of this room.
+pub(crate) fn golden(folder: &str) -> insta::Settings {
+    let mut settings = insta::Settings::clone_current();
+    settings.set_snapshot_path(format!("../golden/{folder}"));
+    settings.set_prepend_module_to_snapshot(false);
+    settings.set_omit_expression(true);
+    settings
+}

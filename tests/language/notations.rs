@@ -129,6 +129,27 @@ fn a_length_has_the_same_bits_however_it_is_written() {
     assert_eq!(width("\"0.25 ft\"", "mm"), width("3", "in"));
 }
 
+#[test]
+fn an_angle_has_the_same_bits_however_it_is_written() {
+    let alpha = |written: &str| {
+        let minimal = cases("good")
+            .into_iter()
+            .find(|case| case.name == "minimal.toml");
+        let text = minimal.expect("in the corpus").text;
+        let text = text.replace("[lamella]", &format!("alpha = {written}\n[lamella]"));
+        let project = load(&text, Notation::Toml, "x")
+            .project
+            .expect("a good angle");
+        project.patches[0].alpha.map(f64::to_bits)
+    };
+    let sixty = Some((60.0_f64 * std::f64::consts::PI / 180.0).to_bits());
+    for written in ["60", "60.0", "6e1", "\"60 deg\"", "\"60.00°\""] {
+        assert_eq!(alpha(written), sixty, "{written}");
+    }
+    assert_eq!(alpha("\"1.25 rad\""), Some(1.25_f64.to_bits()));
+    assert_eq!(alpha("\"auto\""), None);
+}
+
 fn toml_cases(folder: &str) -> Vec<Case> {
     let mut cases = cases(folder);
     cases.retain(|case| case.notation == Notation::Toml);

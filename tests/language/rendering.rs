@@ -1,6 +1,6 @@
 //! Reports for people and for programs.
 
-use crate::files::cases;
+use crate::files::{cases, golden};
 use egg::diagnostics::render::{Source, Sources, Style, human, json_lines, summary};
 use egg::diagnostics::{Code, Diagnostic, File, SpanTable};
 
@@ -43,13 +43,15 @@ fn sources(spans: &SpanTable) -> Sources<'_> {
 #[test]
 fn a_report_shows_every_file_every_label_every_note() {
     let spans = spans();
-    insta::assert_snapshot!(human(&[example()], &sources(&spans), Style::Plain));
+    let report = human(&[example()], &sources(&spans), Style::Plain);
+    golden("reports").bind(|| insta::assert_snapshot!("plain", report));
 }
 
 #[test]
 fn a_narrated_report_is_sentences() {
     let spans = spans();
-    insta::assert_snapshot!(human(&[example()], &sources(&spans), Style::Narrated));
+    let report = human(&[example()], &sources(&spans), Style::Narrated);
+    golden("reports").bind(|| insta::assert_snapshot!("narrated", report));
 }
 
 #[test]
@@ -83,7 +85,7 @@ fn json_has_one_line_a_diagnostic_with_bytes_of_the_file_and_lines_and_columns()
     let value: serde_json::Value =
         serde_json::from_str(text.lines().next().expect("two lines")).expect("JSON");
     let pretty = serde_json::to_string_pretty(&value).expect("JSON");
-    insta::assert_snapshot!(pretty);
+    golden("reports").bind(|| insta::assert_snapshot!("json", pretty));
     // The byte order mark is part of the file's bytes and of no column.
     let label = &value["labels"][2];
     let start = usize::try_from(label["start"]["byte"].as_u64().expect("a number")).expect("small");

@@ -11,6 +11,9 @@ fn committed() -> PathBuf {
 
 #[test]
 fn the_committed_schema_is_the_one_of_the_types() {
+    if std::env::var("INSTA_UPDATE").is_ok_and(|update| update == "always") {
+        std::fs::write(committed(), egg::project::schema()).expect("the schema's folder is there");
+    }
     let text = std::fs::read_to_string(committed()).unwrap_or_default();
     assert!(
         text.replace("\r\n", "\n") == egg::project::schema(),

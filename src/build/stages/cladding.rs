@@ -3,9 +3,10 @@
 use super::{judged, plain};
 use crate::build::{Failure, Node, Numerics, Stage};
 use crate::cladding::{
-    AngleChoice, Clad, Demands, DistanceTable, Maps, SideLengths, choose_angle, clad,
+    AngleChoice, Clad, Demands, DistanceTable, Maps, SAMPLES, SideLengths, choose_angle, clad,
     distance_table, explain,
 };
+use crate::diagnostics::codes::cladding as codes;
 use crate::diagnostics::{Code, Diagnostic};
 use crate::geodesic::GeodesicError;
 use crate::layout::Domain;
@@ -20,9 +21,24 @@ pub(in crate::build) const DISTANCES: Stage<Family, Node<Domain>, DistanceTable>
     version: 1,
     numerics: Numerics::Portable,
     run: |family, domain, _| {
-        plain(distance_table(domain, *family).map_err(|error| no_geodesic(&error))?)
+        let (table, unproved) =
+            distance_table(domain, *family).map_err(|error| no_geodesic(&error))?;
+        judged(table, unproved_pairs(unproved).into_iter().collect())
     },
 };
+
+fn unproved_pairs(unproved: usize) -> Option<Diagnostic> {
+    let message = format!(
+        "{unproved} of {} geodesics across the patch are not proved to be shortest: a way around \
+         the patch may be shorter",
+        SAMPLES * SAMPLES
+    );
+    (unproved > 0).then(|| {
+        Diagnostic::warning(codes::UNPROVED, message)
+            .at_key("", "this patch")
+            .help("make the patch smaller, so that ways around it are long")
+    })
+}
 
 /// Lengths of the sides of a patch: all that its plan needs to know of the domain.
 pub(in crate::build) const SIDES: Stage<(), Node<Domain>, SideLengths> = Stage {

@@ -1,11 +1,12 @@
 //! Anchors, lines and patches.
 
+use super::cladding::no_geodesic;
 use super::{judged, plain};
 use crate::build::{Failure, Node, Numerics, Stage};
 use crate::diagnostics::codes::layout as codes;
 use crate::diagnostics::{Diagnostic, Warned};
 use crate::geodesic::{GeodesicError, Geodesics};
-use crate::layout::{Domain, Side, check_quad, place_anchors};
+use crate::layout::{Domain, Quad, Side, check_quad, place_anchors};
 use crate::project::model::Anchor;
 use crate::surface::{SurfaceMesh, SurfacePoint};
 use serde::Serialize;
@@ -107,13 +108,13 @@ pub(in crate::build) const PATCH: Stage<PatchInput, (Node<SurfaceMesh>, Lines), 
         let mesh = &surface.mesh;
         let piece =
             |line: &Side, i: usize| line.piece(mesh, input.corners[i][0], input.corners[i][1]);
-        let domain = Domain {
+        let quad = Quad {
             ab: piece(first, 0),
             bc: piece(second, 1),
             dc: piece(third, 2).reversed(mesh),
             ad: piece(fourth, 3).reversed(mesh),
-            mesh: mesh.clone(),
         };
+        let domain = Domain::around(mesh, quad).map_err(|error| no_geodesic(&error))?;
         let faults = check_quad(&domain);
         judged(domain, faults)
     },

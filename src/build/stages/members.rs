@@ -1,4 +1,4 @@
-//! Distribution, members, crossings and lamellae.
+//! Schedules of strips, members, crossings and lamellae.
 
 use super::cladding::no_geodesic;
 use super::{judged, plain};
@@ -11,77 +11,147 @@ use crate::grid::{
     lamella,
 };
 use crate::layout::Domain;
-use crate::members::distribution::{Crossed, Step, distribute};
-use crate::members::{MakeError, Member, RefineError, crossing_label, make_members, member_label};
+use crate::members::schedule::{Schedule, schedule};
+use crate::members::threads::{End, LinePiece, Passage, ThreadFault};
+use crate::members::{Given, Ground, Member, RefineError, WeaveError, crossing_label, weave};
 use crate::project::model::Family;
 use serde::Serialize;
 
-/// A family of one patch: how many members, and the weights of its start and end side.
-#[derive(Debug, Serialize)]
-pub(in crate::build) struct DistributionInput {
+/// Families that members run through, by the lines that they cross.
+#[derive(Debug, Clone, Serialize)]
+pub(in crate::build) struct StripInput {
+    pub(in crate::build) passages: Vec<PassageInput>,
+}
+
+/// One family of one patch.
+#[derive(Debug, Clone, Serialize)]
+pub(in crate::build) struct PassageInput {
     pub(in crate::build) family: Family,
+    pub(in crate::build) start: LinePiece,
+    pub(in crate::build) end: LinePiece,
     pub(in crate::build) count: u32,
+    /// Importance of the start and the end side.
     pub(in crate::build) weights: [f64; 2],
 }
 
-/// Shares of the start side of a family at which members start.
-pub(in crate::build) const DISTRIBUTION: Stage<DistributionInput, Node<Clad>, Vec<f64>> = Stage {
-    name: "distribution",
+/// Where the members of a strip begin and through which patches they run.
+pub(in crate::build) const SCHEDULE: Stage<StripInput, Vec<Node<Clad>>, Schedule> = Stage {
+    name: "schedule",
     version: 1,
     numerics: Numerics::Portable,
-    run: |input, clad, _| {
-        let sides = [
-            Crossed {
-                weight: input.weights[0],
-                steps: Vec::new(),
-            },
-            Crossed {
-                weight: input.weights[1],
-                steps: vec![Step::Forward(clad.function(input.family))],
-            },
-        ];
-        plain(distribute(&sides, (0.0, 1.0), input.count))
+    run: |input, clads, _| {
+        let passages: Vec<Passage<'_>> = input
+            .passages
+            .iter()
+            .zip(clads)
+            .map(|(passage, clad)| Passage {
+                start: passage.start,
+                end: passage.end,
+                function: clad.function(passage.family),
+                count: Some(passage.count),
+            })
+            .collect();
+        let weight = |passage: usize, end: End| input.passages[passage].weights[end as usize];
+        plain(schedule(&passages, &weight).map_err(|fault| no_schedule(&fault))?)
     },
 };
 
-/// Exact members of a family.
-pub(in crate::build) const MEMBERS: Stage<
-    Family,
-    (Node<Domain>, Node<Clad>, Node<Vec<f64>>),
-    Vec<Member>,
-> = Stage {
+fn no_schedule(fault: &ThreadFault) -> Failure {
+    match fault {
+        ThreadFault::Spiral { passage } => Diagnostic::error(
+            codes::SPIRAL,
+            "members through the corners of neighbouring patches run round and round",
+        )
+        .at_key(format!(".passages[{passage}]"), "through this patch")
+        .help("let corners of neighbouring patches meet, instead of standing inside sides"),
+        ThreadFault::Counts {
+            passage,
+            own,
+            others,
+        } => Diagnostic::error(
+            codes::COUNTS,
+            format!(
+                "the patch has {own} members, but the members of its neighbours and those through \
+                 corners need {others}"
+            ),
+        )
+        .at_key(format!(".passages[{passage}].count"), "this count")
+        .help(format!("give it {others} members, or its neighbours fewer")),
+        ThreadFault::Uncounted { passage } => Diagnostic::error(
+            codes::COUNTS,
+            "nothing says how many members run through the patch",
+        )
+        .at_key(format!(".passages[{passage}].count"), "here")
+        .help("give `members` of this patch"),
+    }
+    .into()
+}
+
+type StripNeeds = (Vec<Node<Domain>>, Vec<Node<Clad>>, Node<Schedule>);
+
+/// Exact members of all families of a strip.
+pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Vec<Vec<Member>>> = Stage {
+    name: "strip",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, (domains, clads, schedule), _| {
+        let grounds: Vec<Ground<'_>> = input
+            .passages
+            .iter()
+            .zip(domains.into_iter().zip(clads))
+            .map(|(passage, (domain, clad))| Ground {
+                domain,
+                clad,
+                family: passage.family,
+                start: passage.start,
+                end: passage.end,
+            })
+            .collect();
+        plain(weave(&grounds, schedule).map_err(|error| no_member(&error))?)
+    },
+};
+
+fn no_member(error: &WeaveError) -> Failure {
+    let RefineError::NoEqualLength {
+        given,
+        closest,
+        difference,
+    } = error.why
+    else {
+        let RefineError::Geodesic(why) = error.why else {
+            return Failure::Errors(Vec::new());
+        };
+        return no_geodesic(&why);
+    };
+    let side = match error.given {
+        Given::Start => "start",
+        Given::End => "end",
+    };
+    Diagnostic::error(
+        codes::NO_MEMBER,
+        format!(
+            "the member at {:.1} % of its {side} side has no other end of equal length: the best \
+             one, at {:.1} %, leaves the surface {:.3} mm longer than the plane",
+            100.0 * given,
+            100.0 * closest,
+            1000.0 * difference
+        ),
+    )
+    .at_key(format!(".passages[{}]", error.passage), "in this patch")
+    .help("split the patch over its peak of curvature, or choose another `alpha`")
+    .into()
+}
+
+/// Members of one family of one patch, out of its strip.
+pub(in crate::build) const MEMBERS: Stage<u32, Node<Vec<Vec<Member>>>, Vec<Member>> = Stage {
     name: "members",
     version: 1,
     numerics: Numerics::Portable,
-    run: |family, (domain, clad, shares), _| {
-        let members = make_members(domain, clad, *family, shares);
-        plain(members.map_err(|error| no_member(*family, &error))?)
+    run: |passage, strip, _| match strip.get(*passage as usize) {
+        Some(members) => plain(members.clone()),
+        None => Err(Failure::Errors(Vec::new())),
     },
 };
-
-fn no_member(family: Family, error: &MakeError) -> Failure {
-    let label = member_label(family, error.index);
-    match &error.why {
-        RefineError::Geodesic(error) => no_geodesic(error),
-        RefineError::NoEqualLength {
-            given,
-            closest,
-            difference,
-        } => Diagnostic::error(
-            codes::NO_MEMBER,
-            format!(
-                "member `{label}` has no end point of equal length: from {:.1} % of its side, the \
-                 surface is {:.3} mm longer than the plane at the best end, {:.1} %",
-                100.0 * given,
-                1000.0 * difference,
-                100.0 * closest
-            ),
-        )
-        .at_key("", "in this patch")
-        .help("split the patch over its peak of curvature, or choose another `alpha`")
-        .into(),
-    }
-}
 
 type GridNeeds = (Node<Domain>, Node<Vec<Member>>, Node<Vec<Member>>);
 
@@ -91,7 +161,7 @@ pub(in crate::build) const GRID: Stage<(), GridNeeds, Vec<Crossing>> = Stage {
     version: 1,
     numerics: Numerics::Portable,
     run: |(), (domain, u, v), _| {
-        plain(crossings_of(&domain.mesh, u, v).map_err(|wrong| miscrossings(&wrong))?)
+        plain(crossings_of(domain.mesh(), u, v).map_err(|wrong| miscrossings(&wrong))?)
     },
 };
 

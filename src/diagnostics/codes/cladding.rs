@@ -20,6 +20,9 @@ pub const UNCOVERED: Code = Code::new("W0501");
 /// The diagonals do not exchange their lengths.
 pub const DIAGONALS: Code = Code::new("W0502");
 
+/// A way around the patch may be shorter.
+pub const UNPROVED: Code = Code::new("W0503");
+
 pub(super) const CODES: &[CodeInfo] = &[
     CodeInfo {
         code: "E0501",
@@ -116,5 +119,16 @@ Split the patch so that a side runs over the peak (one family is affected) or a 
 When a grid collapses, one diagonal gets longer and the other one shorter. Here both diagonals of \
 the plan are longer, or both shorter, than those of the surface patch, which speaks against a \
 smooth deployment (paper, Expression 2). Choose another `alpha`.",
+    },
+    CodeInfo {
+        code: "W0503",
+        name: "unproved-geodesic",
+        title: "a geodesic is not proved to be shortest on the whole surface",
+        text: "\
+Geodesics of a patch are solved on the part of the surface around it. Each is compared with the \
+shortest way that could leave that part: at least the straight distances from its ends to the cut. \
+Where this bound is not met, a shorter way around the patch cannot be excluded.
+
+It happens to patches that bend around by nearly half a turn. Make the patch smaller.",
     },
 ];

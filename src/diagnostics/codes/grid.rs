@@ -10,6 +10,10 @@ pub const MISCROSSING: Code = Code::new("E0602");
 pub const OPENINGS_OVERLAP: Code = Code::new("E0603");
 /// A notch beyond the end of a lamella.
 pub const OPENING_AT_END: Code = Code::new("E0604");
+/// Members that spiral.
+pub const SPIRAL: Code = Code::new("E0605");
+/// Counts that contradict each other.
+pub const COUNTS: Code = Code::new("E0606");
 
 /// Little material between two openings.
 pub const THIN_WEB: Code = Code::new("W0601");
@@ -54,6 +58,24 @@ curvature), or choose an `alpha` that moves the bolts less.",
         text: "\
 The lamella ends `fabrication.end_margin` beyond its last bolt. An opening must stay inside, with \
 half its width of material around it. Give a larger end margin.",
+    },
+    CodeInfo {
+        code: "E0605",
+        name: "spiral",
+        title: "members run round and round through neighbouring patches",
+        text: "\
+A corner of a patch that stands inside a side of its neighbour gives a member there, which runs on \
+through the neighbour and the patches behind it. Here such members come back to where they began, \
+beside themselves, and would go round for ever. Let corners meet, or leave a gap between patches.",
+    },
+    CodeInfo {
+        code: "E0606",
+        name: "member-counts",
+        title: "numbers of members contradict each other",
+        text: "\
+Members run on across shared sides, and a corner inside a side gives one more. A patch has to have \
+room for the members of all its neighbours on that side: between two given members lies one space \
+at least. Give the patch more members, or its neighbours fewer.",
     },
     CodeInfo {
         code: "W0601",

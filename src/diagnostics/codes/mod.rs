@@ -88,3 +88,46 @@ pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
 pub fn find(code: &str) -> Option<&'static CodeInfo> {
     all().find(|info| info.code.eq_ignore_ascii_case(code) || info.name == code)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn codes_and_names_are_unique_and_well_formed() {
+        let mut seen = BTreeSet::new();
+        for info in all() {
+            let (letter, number) = info.code.split_at(1);
+            assert!(matches!(letter, "E" | "W"), "{}", info.code);
+            assert!(
+                number.len() == 4 && number.bytes().all(|b| b.is_ascii_digit()),
+                "{}",
+                info.code
+            );
+            let kebab =
+                |byte: u8| byte.is_ascii_lowercase() || byte.is_ascii_digit() || byte == b'-';
+            assert!(info.name.bytes().all(kebab), "{}", info.name);
+            assert!(
+                seen.insert(info.code) && seen.insert(info.name),
+                "{} {}",
+                info.code,
+                info.name
+            );
+            assert!(
+                !info.title.is_empty() && !info.title.ends_with('.'),
+                "{}",
+                info.code
+            );
+            assert!(info.text.len() > 40, "{} explains nothing", info.code);
+        }
+    }
+
+    #[test]
+    fn a_code_is_found_in_any_case_and_a_lint_by_its_name() {
+        assert_eq!(find("e0201").map(|info| info.name), Some("undefined-point"));
+        assert_eq!(find("thick-lamella").map(|info| info.code), Some("W0201"));
+        assert!(find("E9999").is_none());
+        assert!(lints().all(|info| info.code.starts_with('W')));
+    }
+}

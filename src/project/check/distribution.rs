@@ -132,11 +132,10 @@ impl Fault<'_> {
                     .iter()
                     .flat_map(|[a, b]| [format!("{a}-{b}"), format!("{b}-{a}")])
                     .collect();
-                let close = suggest::help(name, "side", both.iter().map(String::as_str));
-                diagnostic.help(match close {
-                    Some(help) if help.starts_with("did") => help,
-                    _ => "a side is written as its two anchors, such as `\"a-b\"`".to_owned(),
-                })
+                let both: Vec<&str> = both.iter().map(String::as_str).collect();
+                diagnostic.help(suggest::did_you_mean(name, &both).unwrap_or_else(|| {
+                    "a side is written as its two anchors, such as `\"a-b\"`".to_owned()
+                }))
             }
             Self::Several(readings) => {
                 let readings: Vec<String> = readings
@@ -221,7 +220,7 @@ pub(super) fn undefined_patch(at: &KeyPath, name: &str, names: &[&str], sink: &m
             Diagnostic::error(Code::new("E0202"), format!("there is no patch `{shown}`"))
                 .at_name(at.as_str(), "not one of `patches`");
         match suggest::help(name, "patch", names.iter().copied()) {
-            Some(help) => diagnostic.help(help.replace("patchs", "patches")),
+            Some(help) => diagnostic.help(help),
             None => diagnostic,
         }
     });

@@ -4,10 +4,11 @@ use super::lamellae::Lamellae;
 use super::section;
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::Code;
+use crate::project::file::choices::{Pick, Splicing};
 use crate::project::file::hardware::usual_bolt;
 use crate::project::file::quantity::{Length, readable};
 use crate::project::file::reader::{Defaulted, Sink};
-use crate::project::file::words::{Label, Pick, Splicing};
+use crate::project::file::words::Label;
 use crate::project::file::{BedFile, FabricationSection, ProjectFile, StickerFile, StockFile};
 use crate::project::model::{
     Bed, Bolt, ColourPreset, Fabrication, Hardware, Lamella, Shell, SpliceKind, Sticker, Stock,

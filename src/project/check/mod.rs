@@ -9,14 +9,16 @@ mod counts;
 mod distribution;
 mod fabrication;
 mod lamellae;
+mod materials;
 mod patches;
 mod points;
 mod rest;
 
 use super::file::ProjectFile;
 use super::file::anchors::Alpha;
+use super::file::choices::{LengthUnit, Pick};
 use super::file::reader::{Defaulted, Field, Sink};
-use super::file::words::{LengthUnit, Pick, name_fault};
+use super::file::words::name_fault;
 use super::model::{Patch, Project, Surface};
 use super::strips::{Network, OnEdge};
 use super::units::{self, Unit};
@@ -43,7 +45,7 @@ pub(crate) fn check(file: &ProjectFile, file_name: &str, sink: &mut Sink) -> Opt
     let simulation = rest::simulation(file);
     let allowed_lints = rest::allowed_lints(file, sink);
     points::unused(file, &points, &patches, supports.as_ref(), sink);
-    lamellae::unused(file, &lamellae, studies.as_deref(), sink);
+    materials::unused(file, &lamellae, studies.as_deref(), sink);
     if sink.failed() {
         return None;
     }

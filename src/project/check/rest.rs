@@ -1,7 +1,7 @@
 //! Sections that are mostly defaults: splitting, supports, simulation, studies, lints.
 
 use super::counts::Counts;
-use super::lamellae::undefined_material;
+use super::materials::undefined_material;
 use super::patches::Patches;
 use super::points::Points;
 use super::section;
@@ -9,10 +9,11 @@ use crate::diagnostics::codes::{self, Code};
 use crate::diagnostics::{Diagnostic, KeyPath};
 use crate::project::file::ProjectFile;
 use crate::project::file::anchors::SupportPlacesFile;
+use crate::project::file::choices::Pick;
 use crate::project::file::collections::OneOrMany;
 use crate::project::file::quantity::{Length, Quantity, out_of_range};
 use crate::project::file::reader::{Defaulted, Field, Sink, shortened};
-use crate::project::file::words::{Pick, Reference};
+use crate::project::file::words::Reference;
 use crate::project::materials;
 use crate::project::model::{
     Simulation, Split, Study, SupportKind, SupportPlaces, Supports, Workflow,

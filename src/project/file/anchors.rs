@@ -1,12 +1,12 @@
 //! Values with more than one form: anchors, the planar angle, places of supports, and the
 //! `[lamella]` table, in which patches stand beside keys.
 
+use super::choices::unknown_choice;
 use super::collections::{Exactly, Named, PatchUses, read_items, wrong_length};
-use super::quantity::{
-    Coordinate, InnerShare, Length, OfAngle, Plain, PlanAngle, Quantity, Section,
-};
+use super::intervals::{Coordinate, InnerShare, PlanAngle, Section};
+use super::quantity::{Length, OfAngle, Plain, Quantity};
 use super::reader::{Field, FromField, FromNode, Reader, TableReader, section, unknown_key};
-use super::words::{Count, Reference, inline_schema, unknown_choice};
+use super::words::{Count, Reference, inline_schema};
 use crate::diagnostics::KeyPath;
 use crate::project::notation::{Node, Value};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};

@@ -150,7 +150,7 @@ pub(crate) enum PatchUses {}
 impl Keys for Points {
     const WHAT: &'static str = "a point";
     const MOST: usize = 5000;
-    const LEAST: usize = 4;
+    const LEAST: usize = 0;
     const NAMES: bool = true;
     const RESERVED: &'static [&'static str] = &[];
 }

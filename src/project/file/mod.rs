@@ -7,8 +7,10 @@
 //! where a default exists; the default stands in the field's `extend("default" = ..)`.
 
 pub(crate) mod anchors;
+pub(crate) mod choices;
 pub(crate) mod collections;
 pub(crate) mod hardware;
+pub(crate) mod intervals;
 pub(crate) mod quantity;
 pub(crate) mod reader;
 pub(crate) mod words;
@@ -16,18 +18,17 @@ pub(crate) mod words;
 use crate::diagnostics::KeyPath;
 use crate::project::model::{Axis, ColourPreset, Grain, SupportKind, Workflow};
 use anchors::{Alpha, AnchorFile, LamellaFile, SupportPlacesFile};
+use choices::{LengthUnit, Pick, Splicing};
 use collections::{Exactly, List, Materials, Named, OneOrMany, Patches, Points, Sides};
 use hardware::{BoltName, TubeName};
-use quantity::{
-    Eta, Extent, Factor, FoilThickness, Gap, Heaviness, KerfWidth, Length, Modulus, Money,
-    OfAcceleration, OfDensity, OfStress, Plain, Play, Pull, Quantity, Slope, Strength, StudyFactor,
-    TextHeight, Weight,
+use intervals::{
+    Eta, Extent, Factor, FoilThickness, Gap, Heaviness, KerfWidth, Modulus, Money, Play, Pull,
+    Slope, Strength, StudyFactor, TextHeight, Weight,
 };
+use quantity::{Length, OfAcceleration, OfDensity, OfStress, Plain, Quantity};
 use reader::{Field, section};
 use schemars::JsonSchema;
-use words::{
-    Count, FamilyName, Format, Label, LengthUnit, MeshPath, Name, Pick, Reference, Splicing,
-};
+use words::{Count, FamilyName, Format, Label, MeshPath, Name, Reference};
 
 /// A project of `egg`: one structure of elastic geodesic grids. Bare lengths are in
 /// `project.units`, bare angles in degrees, the rest in SI; a string carries its own unit, such
@@ -39,7 +40,7 @@ pub(crate) struct ProjectFile {
     pub(crate) project: Option<Field<ProjectSection>>,
     /// The design surface.
     pub(crate) surface: Field<SurfaceSection>,
-    /// Named anchors on the surface, at least four.
+    /// Named anchors on the surface; a patch needs four.
     pub(crate) points: Field<Named<Points, AnchorFile>>,
     /// Named geodesic quadrilaterals between anchors, at least one.
     pub(crate) patches: Field<Named<Patches, PatchFile>>,

@@ -10,6 +10,8 @@
 //! | text | string | string, bare identifier (`automatic`) |
 //! | absent | - | `None`; `Some(x)` is `x` |
 
+#[cfg(test)]
+mod oracle;
 mod ron;
 mod ron_scan;
 mod toml;
@@ -102,8 +104,7 @@ pub(crate) fn parse(text: &str, notation: Notation) -> Result<Node, Vec<Diagnost
     if errors.is_empty() {
         return Ok(node);
     }
-    // Of several errors at one place the shortest expectation says most.
-    errors.sort_by_key(|error| (error.span.start, error.label_length()));
+    errors.sort_by_key(|error| error.span.start);
     errors.dedup_by_key(|error| error.span.start);
     let more = errors.len().saturating_sub(MOST_SYNTAX_ERRORS);
     errors.truncate(MOST_SYNTAX_ERRORS);
@@ -148,13 +149,6 @@ impl SyntaxError {
                 message: message.into(),
                 label: label.into(),
             },
-        }
-    }
-
-    fn label_length(&self) -> usize {
-        match &self.kind {
-            SyntaxKind::Syntax { label, .. } => label.len(),
-            SyntaxKind::DuplicateKey | SyntaxKind::TooDeep => 0,
         }
     }
 

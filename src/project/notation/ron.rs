@@ -3,7 +3,8 @@
 //! The `ron` crate reads into types or values and keeps no positions of what it has read, so
 //! the language reads RON's values itself: a small recursive descent that keeps bytes and goes
 //! on after an error. It accepts no more than RON does (a test asks the crate about every text
-//! that passes) and leaves out what no project uses: ranges, byte strings, suffixes of numbers.
+//! that passes) and leaves out what no project uses: ranges, characters, byte strings, suffixes
+//! of numbers, escapes of single bytes above ASCII.
 
 use super::ron_scan::Scanner;
 use super::{DEEPEST, Entry, Node, SyntaxError, SyntaxKind, Value};
@@ -31,7 +32,7 @@ struct Failed;
 
 type Read<T> = Result<T, Failed>;
 
-impl Parser<'_> {
+impl<'t> Parser<'t> {
     fn document(&mut self) -> Read<Node> {
         self.blank()?;
         while self.scanner.eat("#") {
@@ -56,7 +57,7 @@ impl Parser<'_> {
         self.blank()?;
         self.expect("[")?;
         self.blank()?;
-        let name = self.scanner.identifier();
+        let name = self.plain_word();
         self.blank()?;
         match name {
             Some("enable") => {
@@ -70,7 +71,7 @@ impl Parser<'_> {
                         "explicit_struct_names",
                     ];
                     let here = self.scanner.at;
-                    match self.scanner.identifier() {
+                    match self.plain_word() {
                         Some(name) if known.contains(&name) => {}
                         _ => {
                             self.scanner.at = here;
@@ -100,6 +101,14 @@ impl Parser<'_> {
         }
         self.blank()?;
         self.expect("]")
+    }
+
+    /// A word of an attribute, which is never written raw.
+    fn plain_word(&mut self) -> Option<&'t str> {
+        if self.scanner.starts_with("r#") {
+            return None;
+        }
+        self.scanner.identifier()
     }
 
     /// One value; `None` for RON's `None`.
@@ -147,7 +156,8 @@ impl Parser<'_> {
     /// What starts with an identifier: a boolean, an option, a named struct or a bare word.
     fn named(&mut self, name: &str, start: usize, depth: usize) -> Read<Option<Node>> {
         let end = self.scanner.at;
-        let value = match name {
+        // `r#None` is a name like any other.
+        let value = match &self.scanner.text[start..end] {
             "true" => Value::Bool(true),
             "false" => Value::Bool(false),
             "None" => return Ok(None),
@@ -157,7 +167,7 @@ impl Parser<'_> {
                     self.scanner.at = end;
                     self.whole_word(start)?;
                     Value::Text(name.to_owned())
-                } else if name == "Some" {
+                } else if self.scanner.text[start..end] == *"Some" {
                     return self.some(depth);
                 } else if depth > DEEPEST {
                     return self.value(depth);

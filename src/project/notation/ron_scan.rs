@@ -295,7 +295,7 @@ fn read_number(written: &str) -> Option<Number> {
         }
     }
     // An underscore stands between digits, never first nor after the point.
-    let odd = |text: &str| text.starts_with('_') || text.contains("._");
+    let odd = |text: &str| text.starts_with(['_', '+', '-']) || text.contains("._");
     if odd(unsigned) {
         return None;
     }

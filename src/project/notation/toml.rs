@@ -71,8 +71,8 @@ fn integer_value(integer: &DeInteger<'_>) -> Value {
     Value::Number(Number { text, whole: true })
 }
 
-/// The parser's errors without the consequences of an unclosed bracket: it takes all lines
-/// below for elements of the list.
+/// The parser's errors without consequences: of each line the first, and of an unclosed bracket
+/// nothing below, where every line is taken for an element of the list.
 fn syntax_errors(errors: &[Error], text: &str) -> Vec<SyntaxError> {
     let mut errors: Vec<(Range<usize>, &str)> = errors
         .iter()
@@ -81,54 +81,65 @@ fn syntax_errors(errors: &[Error], text: &str) -> Vec<SyntaxError> {
             (span, error.message())
         })
         .collect();
-    errors.sort_by_key(|(span, _)| span.start);
+    errors.sort_by_key(|(span, message)| (span.start, message.len()));
     let is_open = errors
         .iter()
         .any(|(_, message)| message.starts_with("unclosed "));
-    let first_of_line = |at: usize| {
-        let before = text.get(..at).unwrap_or_default();
-        before.trim_end_matches([' ', '\t']).ends_with('\n')
-    };
-    let swallowed = errors.iter().position(|(span, message)| {
-        is_open && message.starts_with("missing comma") && first_of_line(span.start)
-    });
-    let rest = swallowed.map_or(&errors[..0], |first| &errors[first..]);
-    let reported = &errors[..errors.len() - rest.len()];
-    let mut reported: Vec<SyntaxError> = reported
-        .iter()
-        .map(|(span, message)| syntax_error(span.clone(), message))
-        .collect();
-    if let Some((span, message)) = rest.first() {
-        let close = if message.contains("array") { "]" } else { "}" };
-        let end = text[..span.start].trim_end().len();
-        reported.push(SyntaxError::syntax(
-            end..end,
-            format!("TOML syntax: `{close}` is missing"),
-            format!("expected `{close}` before the next line begins"),
-        ));
+    let mut reported = Vec::new();
+    let mut line_end = 0;
+    for (span, message) in errors {
+        let before = text.get(..span.start).unwrap_or(text);
+        let starts_line = before.trim_end_matches([' ', '\t']).ends_with('\n');
+        if is_open && starts_line && message.starts_with("missing comma") {
+            let close = if message.contains("array") { "]" } else { "}" };
+            let end = before.trim_end().len();
+            reported.push(SyntaxError::syntax(
+                end..end,
+                format!("TOML syntax: `{close}` is missing"),
+                format!("expected `{close}` before the next line begins"),
+            ));
+            break;
+        }
+        if reported.is_empty() || span.start > line_end {
+            let rest = text.get(span.start..).unwrap_or_default();
+            line_end = span.start + rest.find('\n').unwrap_or(rest.len());
+            reported.push(syntax_error(span, message, text));
+        }
     }
     reported
 }
 
-fn syntax_error(span: Range<usize>, message: &str) -> SyntaxError {
-    match message {
-        "duplicate key" => SyntaxError {
-            span,
-            kind: SyntaxKind::DuplicateKey,
-        },
-        "cannot recurse further; max recursion depth met" | "recursion limit" => SyntaxError {
-            span,
-            kind: SyntaxKind::TooDeep,
-        },
+fn syntax_error(span: Range<usize>, message: &str, text: &str) -> SyntaxError {
+    let kind = match message {
+        "duplicate key" => SyntaxKind::DuplicateKey,
+        "cannot recurse further; max recursion depth met" | "recursion limit" => {
+            SyntaxKind::TooDeep
+        }
         _ => {
             let (found, expected) = message.split_once(", expected ").unwrap_or((message, ""));
-            let label = match expected {
-                "" | "nothing" => "here".to_owned(),
-                _ => format!("expected {expected}"),
+            let rest = text.get(span.start..).unwrap_or_default();
+            let at_line_end = rest.is_empty() || rest.starts_with(['\r', '\n']);
+            let marked = text.get(span.clone()).unwrap_or_default();
+            let (message, label) = match found {
+                "invalid basic string" | "invalid literal string" if at_line_end => (
+                    "the string has no end",
+                    "the closing quote is missing".to_owned(),
+                ),
+                "string values must be quoted" if marked.trim().is_empty() => {
+                    ("the value is missing", "expected a value".to_owned())
+                }
+                "string values must be quoted" if marked.trim().contains(' ') => (
+                    "this is not one value",
+                    "expected a value and a comma, or a string in quotes".to_owned(),
+                ),
+                "string values must be quoted" => (found, "expected a string in quotes".to_owned()),
+                _ if matches!(expected, "" | "nothing") => (found, "here".to_owned()),
+                _ => (found, format!("expected {expected}")),
             };
-            SyntaxError::syntax(span, format!("TOML syntax: {found}"), label)
+            return SyntaxError::syntax(span, format!("TOML syntax: {message}"), label);
         }
-    }
+    };
+    SyntaxError { span, kind }
 }
 
 /// Takes a table apart level by level. Dotted keys in nested inline tables reach thousands of

@@ -4,6 +4,9 @@
 //! read the file, so it knows the same keys; what depends on more than one key (names, strips)
 //! only `egg check` can tell.
 
+#[cfg(test)]
+mod drift;
+
 use super::file::ProjectFile;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value};

@@ -1,0 +1,315 @@
+//! The schedule of a strip: where every member that is not a side of a patch begins, and through
+//! which patches it runs.
+//!
+//! In each lane the free members are distributed evenly over all sides that the lane crosses.
+
+use super::distribution::{Crossed, Step, distribute, objective};
+use super::threads::{End, Hop, Lanes, Passage, Stretch, Thread, ThreadFault, lanes};
+use serde::{Deserialize, Serialize};
+
+/// Members of passages that meet, as threads, and what their distribution gained.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Schedule {
+    /// Given threads, then free ones lane by lane.
+    pub threads: Vec<Thread>,
+    /// The objective (paper, Problem 3) with members even on the first side of each lane only,
+    /// over that of the distribution taken: at least 1.
+    pub evenness_gained: f64,
+}
+
+/// Importance of a side in the distribution.
+pub type Weight<'a> = &'a dyn Fn(usize, End) -> f64;
+
+/// Lays threads through passages. `weight` tells the importance of a passage's side.
+pub fn schedule(passages: &[Passage<'_>], weight: Weight<'_>) -> Result<Schedule, ThreadFault> {
+    let Lanes {
+        stretches,
+        spaces,
+        given,
+    } = lanes(passages)?;
+    let mut threads = given;
+    let (mut even, mut taken) = (0.0, 0.0);
+    for (lane, &spaces) in spaces.iter().enumerate() {
+        let walked = Walked::new(passages, &stretches, lane);
+        let sides = walked.sides(passages, weight);
+        let [low, high] = walked.origin.start;
+        let shares = distribute(&sides, (low, high), spaces + 1);
+        let step = (high - low) / f64::from(spaces);
+        let evenly: Vec<f64> = (0..=spaces).map(|i| low + step * f64::from(i)).collect();
+        even += objective(&sides, &evenly);
+        taken += objective(&sides, &shares);
+        let side = passages[walked.origin.passage].start;
+        let inner = &shares[1..shares.len() - 1];
+        threads.extend(inner.iter().map(|&share| Thread {
+            line: side.line,
+            at: side.line_share(share),
+            walks: walked.walks(),
+        }));
+    }
+    let evenness_gained = if taken > 0.0 { even / taken } else { 1.0 };
+    Ok(Schedule {
+        threads,
+        evenness_gained,
+    })
+}
+
+/// A lane walked from its first stretch: forward over the end side, backward over the start side.
+struct Walked {
+    origin: Stretch,
+    forward: Vec<Hop>,
+    backward: Vec<Hop>,
+}
+
+impl Walked {
+    fn new(passages: &[Passage<'_>], stretches: &[Vec<Stretch>], lane: usize) -> Self {
+        let all: Vec<Stretch> = stretches
+            .iter()
+            .flatten()
+            .filter(|s| s.lane == lane)
+            .copied()
+            .collect();
+        let origin = all[0];
+        let mut seen = vec![origin.passage];
+        let mut walk = |mut from: Stretch, mut leave: End| {
+            let mut hops = Vec::new();
+            while let Some((next, enter)) = meeting(passages, &all, &from, leave, &seen) {
+                seen.push(next.passage);
+                hops.push(Hop {
+                    passage: next.passage,
+                    enter,
+                });
+                from = next;
+                leave = opposite(enter);
+            }
+            hops
+        };
+        let mut forward = vec![Hop {
+            passage: origin.passage,
+            enter: End::Start,
+        }];
+        forward.extend(walk(origin, End::End));
+        let backward = walk(origin, End::Start);
+        Self {
+            origin,
+            forward,
+            backward,
+        }
+    }
+
+    fn walks(&self) -> Vec<Vec<Hop>> {
+        let walks = [self.forward.clone(), self.backward.clone()];
+        walks.into_iter().filter(|walk| !walk.is_empty()).collect()
+    }
+
+    /// All sides that the lane crosses, each once, with the way there from the origin.
+    fn sides<'a>(&self, passages: &[Passage<'a>], weight: Weight<'_>) -> Vec<Crossed<'a>> {
+        let first = self.origin.passage;
+        let mut sides = vec![Crossed {
+            weight: weight(first, End::Start),
+            steps: Vec::new(),
+        }];
+        for walk in [&self.forward, &self.backward] {
+            let mut steps: Vec<Step<'a>> = Vec::new();
+            let mut from = passages[first].start;
+            for hop in walk {
+                let passage = &passages[hop.passage];
+                let side = passage.piece(hop.enter);
+                if (side.from, side.to) != (from.from, from.to) {
+                    // Share of the previous side to share of the line to share of this side.
+                    let scale = (from.to - from.from) / (side.to - side.from);
+                    let offset = (from.from - side.from) / (side.to - side.from);
+                    steps.push(Step::Rescale { offset, scale });
+                    let same_piece = (side.from, side.to) == (from.to, from.from);
+                    if !same_piece {
+                        sides.push(Crossed {
+                            weight: weight(hop.passage, hop.enter),
+                            steps: steps.clone(),
+                        });
+                    }
+                }
+                steps.push(match hop.enter {
+                    End::Start => Step::Forward(passage.function),
+                    End::End => Step::Backward(passage.function),
+                });
+                let leave = opposite(hop.enter);
+                sides.push(Crossed {
+                    weight: weight(hop.passage, leave),
+                    steps: steps.clone(),
+                });
+                from = passage.piece(leave);
+            }
+        }
+        sides
+    }
+}
+
+/// The stretch of the lane behind the side by which it leaves a stretch, and by which end it is
+/// entered.
+fn meeting(
+    passages: &[Passage<'_>],
+    all: &[Stretch],
+    from: &Stretch,
+    leave: End,
+    seen: &[usize],
+) -> Option<(Stretch, End)> {
+    let here = on_line(passages, from, leave);
+    all.iter()
+        .filter(|s| !seen.contains(&s.passage))
+        .find_map(|next| {
+            [End::Start, End::End].into_iter().find_map(|enter| {
+                let there = on_line(passages, next, enter);
+                let overlap = here.2.min(there.2) - here.1.max(there.1);
+                (here.0 == there.0 && overlap > 0.5 * (here.2 - here.1)).then_some((*next, enter))
+            })
+        })
+}
+
+fn on_line(passages: &[Passage<'_>], stretch: &Stretch, end: End) -> (u32, f64, f64) {
+    let piece = passages[stretch.passage].piece(end);
+    let shares = if end == End::Start {
+        stretch.start
+    } else {
+        stretch.end
+    };
+    let [a, b] = shares.map(|share| piece.line_share(share));
+    (piece.line, a.min(b), a.max(b))
+}
+
+fn opposite(end: End) -> End {
+    match end {
+        End::Start => End::End,
+        End::End => End::Start,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::threads::LinePiece;
+    use super::*;
+    use crate::cladding::CladdingFunction;
+
+    fn moebius(k: f64) -> CladdingFunction {
+        let f = |x: f64| {
+            [
+                x,
+                k * x / (1.0 + (k - 1.0) * x),
+                k / (1.0 + (k - 1.0) * x).powi(2),
+            ]
+        };
+        let mut samples: Vec<_> = (0..=64).map(|i| f(f64::from(i) / 64.0)).collect();
+        samples[64][1] = 1.0;
+        CladdingFunction::new(samples).unwrap()
+    }
+
+    fn piece(line: u32, from: f64, to: f64) -> LinePiece {
+        LinePiece { line, from, to }
+    }
+
+    #[test]
+    fn a_strip_of_two_patches_is_distributed_over_three_sides() {
+        let (f, g) = (moebius(0.5), moebius(0.6));
+        let passages = [
+            Passage {
+                start: piece(0, 0.0, 1.0),
+                end: piece(1, 0.0, 1.0),
+                function: &f,
+                count: Some(6),
+            },
+            Passage {
+                start: piece(1, 1.0, 0.0),
+                end: piece(2, 0.0, 1.0),
+                function: &g,
+                count: None,
+            },
+        ];
+        let schedule = schedule(&passages, &|_, _| 1.0).unwrap();
+        assert_eq!(schedule.threads.len(), 4);
+        assert!(
+            schedule.evenness_gained > 1.01,
+            "{}",
+            schedule.evenness_gained
+        );
+        let hops: Vec<usize> = schedule.threads[0].walks[0]
+            .iter()
+            .map(|h| h.passage)
+            .collect();
+        assert_eq!(hops, [0, 1]);
+        assert!(schedule.threads.windows(2).all(|w| w[0].at < w[1].at));
+    }
+
+    #[test]
+    fn mirrored_strips_give_mirrored_members() {
+        let (f, g) = (moebius(0.6), moebius(1.0 / 0.6));
+        let shares = |f: &CladdingFunction| {
+            let one = Passage {
+                start: piece(0, 0.0, 1.0),
+                end: piece(1, 0.0, 1.0),
+                function: f,
+                count: Some(8),
+            };
+            let schedule = schedule(&[one], &|_, _| 1.0).unwrap();
+            schedule.threads.iter().map(|t| t.at).collect::<Vec<f64>>()
+        };
+        for (a, b) in shares(&f).iter().zip(shares(&g).iter().rev()) {
+            assert!((a - (1.0 - b)).abs() < 1e-7);
+        }
+    }
+
+    #[test]
+    fn a_ring_is_walked_once_around() {
+        let (f, g) = (moebius(0.8), moebius(0.9));
+        let passages = [
+            Passage {
+                start: piece(0, 0.0, 1.0),
+                end: piece(1, 0.0, 1.0),
+                function: &f,
+                count: Some(5),
+            },
+            Passage {
+                start: piece(1, 0.0, 1.0),
+                end: piece(0, 0.0, 1.0),
+                function: &g,
+                count: None,
+            },
+        ];
+        let schedule = schedule(&passages, &|_, _| 1.0).unwrap();
+        assert_eq!(schedule.threads.len(), 3);
+        assert_eq!(schedule.threads[0].walks.len(), 1);
+        assert_eq!(schedule.threads[0].walks[0].len(), 2);
+    }
+
+    #[test]
+    fn members_in_the_parts_of_a_long_side_are_even_there_too() {
+        let identity = moebius(1.0);
+        let f = &identity;
+        let passages = [
+            Passage {
+                start: piece(0, 0.0, 1.0),
+                end: piece(1, 0.0, 1.0),
+                function: f,
+                count: Some(11),
+            },
+            Passage {
+                start: piece(1, 0.0, 0.3),
+                end: piece(2, 0.0, 1.0),
+                function: f,
+                count: Some(4),
+            },
+        ];
+        let schedule = schedule(&passages, &|_, _| 1.0).unwrap();
+        let mut at: Vec<f64> = schedule.threads.iter().map(|t| t.at).collect();
+        at.sort_by(f64::total_cmp);
+        assert_eq!(at.len(), 9);
+        for (i, x) in at.iter().enumerate() {
+            assert!((x - 0.1 * (i + 1) as f64).abs() < 1e-9, "{at:?}");
+        }
+        // The thread through the corner is given and runs through the long patch only.
+        assert_eq!(
+            schedule.threads[0].walks,
+            vec![vec![Hop {
+                passage: 0,
+                enter: End::End
+            }]]
+        );
+    }
+}
