@@ -59,7 +59,7 @@ fn render_diagnostic(text: &mut String, bytes: &[u8], diagnostic: &Diagnostic) {
     writeln!(text, "{severity}[{code} {name}]: {message}").unwrap();
     for label in &diagnostic.labels {
         let place = match &label.place {
-            Place::Key(key) => format!("key `{key}`"),
+            Place::Key(key) | Place::Name(key) => format!("key `{key}`"),
             Place::Bytes { range, .. } => {
                 let quoted = String::from_utf8_lossy(&bytes[range.clone()]).into_owned();
                 let cut: String = quoted.chars().take(40).collect();

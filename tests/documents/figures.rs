@@ -68,7 +68,7 @@ fn figures(plan: &Plan, patch: &PatchRecord) -> Vec<Row> {
     };
     let d = &patch.diagonals;
     let (u, v) = (&patch.cladding.u, &patch.cladding.v);
-    let flat = extent(patch.planar_corners.iter().map(|[x, y]| [*x, *y, 0.0]));
+    let flat = along_diagonal(patch);
     let crossings: Vec<_> = plan
         .crossings
         .iter()
@@ -81,9 +81,10 @@ fn figures(plan: &Plan, patch: &PatchRecord) -> Vec<Row> {
             !boundary(&crossing.u) && !boundary(&crossing.v)
         })
         .count();
-    let excess = members.iter().map(|member| {
-        (member.length_surface - member.length_planar).abs() / member.length_surface
-    });
+    let excess = members
+        .iter()
+        .map(|member| (member.length_surface - member.length_planar).abs());
+    let nanometres = libm::round(1e9 * excess.fold(0.0, f64::max));
     let bound = patch.curvature.injectivity_bound.map_or_else(
         || "every geodesic is unique (curvature is negative)".to_owned(),
         |bound| format!("geodesics below {bound:.3} m are unique"),
@@ -92,7 +93,10 @@ fn figures(plan: &Plan, patch: &PatchRecord) -> Vec<Row> {
     vec![
         row(
             "sides 1-2, 2-3, 3-4, 4-1",
-            format!("{} mm", millimetres(&patch.sides.each_ref().map(|s| s.length))),
+            format!(
+                "{} mm",
+                millimetres(&patch.sides.each_ref().map(|s| s.length))
+            ),
         ),
         row(
             "diagonals on the surface, in the plane",
@@ -107,8 +111,8 @@ fn figures(plan: &Plan, patch: &PatchRecord) -> Vec<Row> {
             format!("{:.1}°, {:.1}°", patch.alpha_surface, patch.alpha_planar),
         ),
         row(
-            "flat quadrilateral",
-            format!("{:.3} x {:.3} m around its axes", flat[0], flat[1]),
+            "flat quadrilateral, along its long diagonal",
+            format!("{:.3} x {:.3} m", flat[0], flat[1]),
         ),
         row(
             "slopes of the cladding functions",
@@ -131,7 +135,7 @@ fn figures(plan: &Plan, patch: &PatchRecord) -> Vec<Row> {
         row("members", format!("{} u, {} v", count("u"), count("v"))),
         row(
             "lengths of members, surface against plane",
-            format!("differ by at most {:.0e} of the length", excess.fold(0.0, f64::max).max(1e-16)),
+            format!("differ by less than {} nm", nanometres + 1.0),
         ),
         row(
             "crossings",
@@ -204,6 +208,21 @@ fn remarks(plan: &Plan) -> String {
         let _ = writeln!(text, "- {} {}{subject}", told.code, told.message);
     }
     text
+}
+
+/// Size of the flat quadrilateral along and across its longer diagonal.
+fn along_diagonal(patch: &PatchRecord) -> [f64; 3] {
+    let [a, b, c, d] = patch.planar_corners.map(nalgebra::Point2::from);
+    let long = if (c - a).norm() > (d - b).norm() {
+        c - a
+    } else {
+        d - b
+    }
+    .normalize();
+    extent([a, b, c, d].into_iter().map(|p| {
+        let from_a = p - a;
+        [from_a.dot(&long), long.perp(&from_a), 0.0]
+    }))
 }
 
 /// Size of the box around points.

@@ -13,52 +13,48 @@ type Vector3 = nalgebra::Vector3<f64>;
 /// Width of the picture.
 const WIDTH: f64 = 800.0;
 const MARGIN: f64 = 20.0;
-/// Height of a caption.
-const CAPTION: f64 = 30.0;
 /// Pieces that a lamella is drawn in, in space.
-const PIECES: usize = 28;
+const PIECES: usize = 24;
 /// Where the viewer stands, degrees: from the front (negative y) to the right, and up.
 const AZIMUTH: f64 = -28.0;
 const ELEVATION: f64 = 32.0;
 
 /// Draws a plan.
 pub(crate) fn draw(plan: &Plan) -> String {
-    let flat = flat(plan);
-    let space = space(plan);
-    let (flat_box, space_box) = (Frame::around(&flat), Frame::around(&space));
-    let widest = flat_box.size().x.max(space_box.size().x);
-    let scale = (WIDTH - 2.0 * MARGIN) / widest;
-    let flat_height = scale * flat_box.size().y;
-    let height = flat_height + scale * space_box.size().y + 2.0 * CAPTION + 3.0 * MARGIN;
-    let mut text = format!(
-        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height:.0}\" \
-         width=\"{WIDTH}\" height=\"{height:.0}\">\n<rect width=\"100%\" height=\"100%\" \
-         fill=\"#fff\"/>\n"
-    );
+    let pictures = [flat(plan), space(plan)].map(|shapes| (Frame::around(&shapes), shapes));
+    let widest = pictures.iter().map(|(frame, _)| frame.size().x);
+    let scale = (WIDTH - 2.0 * MARGIN) / widest.fold(0.0, f64::max);
+    let tall: f64 = pictures.iter().map(|(frame, _)| frame.size().y).sum();
+    let height = libm::ceil(scale * tall + 4.0 * MARGIN);
+    let mut paths = String::new();
+    let mut looks: Vec<Look> = Vec::new();
     let mut top = MARGIN;
-    for (shapes, frame, caption) in [
-        (&flat, flat_box, "bolted together flat"),
-        (&space, space_box, "unfolded"),
-    ] {
-        text.push_str("<g stroke-linejoin=\"round\">\n");
+    for (frame, shapes) in &pictures {
         let left = (WIDTH - scale * frame.size().x) / 2.0;
         for shape in shapes {
-            shape.write(&mut text, |p| {
+            let known = looks.iter().position(|look| *look == shape.look);
+            let look = known.unwrap_or_else(|| {
+                looks.push(shape.look.clone());
+                looks.len() - 1
+            });
+            let place = |p: &Point2| {
                 let p = p - frame.low;
                 [left + scale * p.x, top + scale * (frame.size().y - p.y)]
-            });
+            };
+            shape.write(look, place, &mut paths);
         }
-        text.push_str("</g>\n");
-        top += scale * frame.size().y + CAPTION;
-        let _ = writeln!(
-            text,
-            "<text x=\"{}\" y=\"{:.0}\" text-anchor=\"middle\" font-family=\"sans-serif\" \
-             font-size=\"16\" fill=\"#555\">{caption}</text>",
-            WIDTH / 2.0,
-            top - 6.0
-        );
-        top += MARGIN;
+        top += scale * frame.size().y + 2.0 * MARGIN;
     }
+    let mut text = format!(
+        "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {WIDTH} {height}\" \
+         width=\"{WIDTH}\" height=\"{height}\">\n<style>path{{stroke-width:.6;\
+         stroke-linejoin:round}}"
+    );
+    for (i, Look { fill, edge }) in looks.iter().enumerate() {
+        let _ = write!(text, ".c{i}{{fill:{fill};stroke:{edge}}}");
+    }
+    text.push_str("</style>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n");
+    text.push_str(&paths);
     text.push_str("</svg>\n");
     text
 }
@@ -66,27 +62,39 @@ pub(crate) fn draw(plan: &Plan) -> String {
 /// A filled polygon.
 struct Shape {
     outline: Vec<Point2>,
+    look: Look,
+}
+
+#[derive(Clone, PartialEq)]
+struct Look {
     fill: String,
-    edge: &'static str,
+    edge: String,
+}
+
+impl Look {
+    fn edged(fill: &str) -> Self {
+        Self {
+            fill: fill.to_owned(),
+            edge: "#7a5028".to_owned(),
+        }
+    }
+
+    fn plain(fill: &str) -> Self {
+        Self {
+            fill: fill.to_owned(),
+            edge: fill.to_owned(),
+        }
+    }
 }
 
 impl Shape {
-    fn write(&self, text: &mut String, place: impl Fn(Point2) -> [f64; 2]) {
-        let mut path = String::new();
+    fn write(&self, look: usize, place: impl Fn(&Point2) -> [f64; 2], text: &mut String) {
+        let _ = write!(text, "<path class=\"c{look}\" d=\"");
         for (i, point) in self.outline.iter().enumerate() {
-            let [x, y] = place(*point);
-            let _ = write!(path, "{}{x:.1} {y:.1}", if i == 0 { 'M' } else { 'L' });
+            let [x, y] = place(point);
+            let _ = write!(text, "{}{x:.1} {y:.1}", if i == 0 { 'M' } else { 'L' });
         }
-        let edge = if self.edge.is_empty() {
-            &self.fill
-        } else {
-            self.edge
-        };
-        let _ = writeln!(
-            text,
-            "<path fill=\"{}\" stroke=\"{edge}\" stroke-width=\".6\" d=\"{path}Z\"/>",
-            self.fill
-        );
+        text.push_str("Z\"/>\n");
     }
 }
 
@@ -159,17 +167,10 @@ fn flat(plan: &Plan) -> Vec<Shape> {
             let lamella = lamella_of(plan, member);
             let [from, to] = member.planar.map(|p| level * Point2::from(p));
             let along = (to - from).normalize();
-            let across = Vector2::new(-along.y, along.x) * (0.5 * lamella.width);
-            let margin = along * lamella.end_margin;
+            let across = Vector2::new(-along.y, along.x);
             drawn.push(Shape {
-                outline: vec![
-                    from - margin - across,
-                    to + margin - across,
-                    to + margin + across,
-                    from - margin + across,
-                ],
-                fill: wood(member.family, 0.85),
-                edge: "#7a5028",
+                outline: rounded([from, to], lamella.width, lamella.end_margin),
+                look: Look::edged(&wood(member.family, 0.85)),
             });
             for opening in &lamella.openings {
                 if let OpeningRecord::Notch {
@@ -179,9 +180,9 @@ fn flat(plan: &Plan) -> Vec<Shape> {
                     ..
                 } = opening
                 {
-                    let half = across.normalize() * (0.5 * diameter);
-                    let [p, q] = [flat.min(*deployed), flat.max(*deployed)]
-                        .map(|s| from + along * s);
+                    let half = across * (0.5 * diameter);
+                    let [p, q] =
+                        [flat.min(*deployed), flat.max(*deployed)].map(|s| from + along * s);
                     let reach = along * (0.5 * diameter);
                     drawn.push(Shape {
                         outline: vec![
@@ -190,8 +191,7 @@ fn flat(plan: &Plan) -> Vec<Shape> {
                             q + reach + half,
                             p - reach + half,
                         ],
-                        fill: "#fffaf0".to_owned(),
-                        edge: "#7a5028",
+                        look: Look::edged("#fffaf0"),
                     });
                 }
             }
@@ -209,6 +209,24 @@ fn flat(plan: &Plan) -> Vec<Shape> {
     shapes
 }
 
+/// The outline of a lamella: ends are half circles, a margin beyond the ends of its member.
+fn rounded([from, to]: [Point2; 2], width: f64, margin: f64) -> Vec<Point2> {
+    const STEPS: u32 = 6;
+    let along = (to - from).normalize();
+    let across = Vector2::new(-along.y, along.x);
+    let radius = 0.5 * width;
+    let cap = |centre: Point2, outwards: f64| {
+        (0..=STEPS).map(move |i| {
+            let (sin, cos) = libm::sincos(std::f64::consts::PI * f64::from(i) / f64::from(STEPS));
+            centre + (across * -cos + along * sin) * (outwards * radius)
+        })
+    };
+    let reach = along * (margin - radius);
+    cap(to + reach, 1.0)
+        .chain(cap(from - reach, -1.0))
+        .collect()
+}
+
 /// The deployed state, from far to near, over its shadow.
 fn space(plan: &Plan) -> Vec<Shape> {
     let camera = Camera::new();
@@ -223,13 +241,24 @@ fn space(plan: &Plan) -> Vec<Shape> {
     for member in in_order(plan) {
         let lamella = lamella_of(plan, member);
         let ribbon = ribbon(plan, member, lamella);
-        let reach = ribbon.windows(2).map(|w| (w[1].centre - w[0].centre).norm());
+        let reach = ribbon
+            .windows(2)
+            .map(|w| (w[1].centre - w[0].centre).norm());
         let piece = reach.fold(0.0, f64::max);
         // Where lamellae cross, the upper one hides the lower.
         let lift = match member.family {
             Family::U => 1.2 * piece,
             Family::V => 0.0,
         };
+        let left = ribbon.iter().map(Section::left);
+        let right = ribbon.iter().rev().map(Section::right);
+        shadow.push(Shape {
+            outline: left
+                .chain(right)
+                .map(|p| camera.see(Point3::new(p.x, p.y, ground)))
+                .collect(),
+            look: Look::plain("#e6e6e6"),
+        });
         for pair in ribbon.windows(2) {
             let corners = [
                 pair[0].left(),
@@ -244,17 +273,9 @@ fn space(plan: &Plan) -> Vec<Shape> {
                 camera.depth(middle) + lift,
                 Shape {
                     outline: corners.map(|p| camera.see(p)).to_vec(),
-                    fill: wood(member.family, light.min(1.0)),
-                    edge: "",
+                    look: Look::plain(&wood(member.family, light.min(1.0))),
                 },
             ));
-            shadow.push(Shape {
-                outline: corners
-                    .map(|p| camera.see(Point3::new(p.x, p.y, ground)))
-                    .to_vec(),
-                fill: "#e6e6e6".to_owned(),
-                edge: "",
-            });
         }
     }
     // Rounded, so that a last digit does not decide who hides whom.

@@ -3,9 +3,9 @@
 use crate::current;
 use crate::figures;
 use crate::picture;
-use egg::build::graph::{Design, Extent, declare, plan_of};
+use egg::build::graph::{Design, Extent, declare};
 use egg::build::{CancelToken, Engine, Graph, Request, Settings};
-use egg::plan::Plan;
+use egg::plan::{Plan, from_ron};
 use egg::project::{Notation, load};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -41,9 +41,9 @@ fn build(name: &str) -> Built {
         &mut |_| {},
     );
     assert!(built.succeeded(), "{name}: {:?}", built.diagnostics);
-    let plan = plan_of(&built).expect("a finished build has a plan");
+    let plan = fs::read_to_string(output.join("plan.ron")).expect("the plan");
     Built {
-        plan: Plan::clone(&plan),
+        plan: from_ron(&plan).expect("egg reads its plans"),
         output,
         _folder: folder,
     }

@@ -43,11 +43,9 @@ impl Schema {
 
     /// Fields of an object.
     pub(crate) fn fields<'s>(&self, object: &'s Value) -> Vec<Field<'s>> {
-        let required: Vec<&str> = object["required"]
-            .as_array()
-            .map_or_else(Vec::new, |list| {
-                list.iter().filter_map(Value::as_str).collect()
-            });
+        let required: Vec<&str> = object["required"].as_array().map_or_else(Vec::new, |list| {
+            list.iter().filter_map(Value::as_str).collect()
+        });
         object["properties"]
             .as_object()
             .map_or_else(Vec::new, |map| {
@@ -124,7 +122,8 @@ impl Schema {
 
     fn named(&self, name: &str) -> String {
         let definition = self.definition(name);
-        if definition["enum"].is_array() || definition["oneOf"].is_array() && !has_fields(definition)
+        if definition["enum"].is_array()
+            || definition["oneOf"].is_array() && !has_fields(definition)
         {
             return words_of(definition).join(" or ");
         }
@@ -164,10 +163,9 @@ impl Schema {
             "integer" => format!("whole number{}", range(schema)),
             "boolean" => "`true` or `false`".to_owned(),
             "string" => "text".to_owned(),
-            "array" if schema["items"].is_array() => format!(
-                "{} numbers",
-                schema["items"].as_array().map_or(0, Vec::len)
-            ),
+            "array" if schema["items"].is_array() => {
+                format!("{} numbers", schema["items"].as_array().map_or(0, Vec::len))
+            }
             "array" => {
                 let (low, high) = (&schema["minItems"], &schema["maxItems"]);
                 let count = match (low.as_u64(), high.as_u64()) {
