@@ -6,7 +6,7 @@ use common::{python, synthetic};
 use egg::diagnostics::{Diagnostic, Place};
 use egg::fabrication::drawing::{Drawing, Layer, Palette, Text};
 use egg::fabrication::{self, Inputs, OutputFile, bom, nesting, svg};
-use egg::plan::Plan;
+use egg::plan::{LamellaRecord, OpeningRecord, Plan};
 use egg::project::model::{Fabrication, Hardware, Material};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -221,13 +221,13 @@ fn tables_are_as_reviewed() {
 }
 
 /// Diagnostics as text: code, message, help.
-fn told(diagnostics: &[Diagnostic]) -> String {
+fn told_of(diagnostics: &[Diagnostic]) -> String {
     diagnostics
         .iter()
         .map(|d| {
             let mut lines = vec![format!("{}: {}", d.code, d.message)];
             lines.extend(d.labels.iter().map(|label| match &label.place {
-                Place::Key(key) => format!("  at {key}: {}", label.text),
+                Place::Key(key) | Place::Name(key) => format!("  at {key}: {}", label.text),
                 Place::Bytes { .. } => String::new(),
             }));
             lines.extend(d.notes.iter().map(|note| format!("  note: {note}")));
@@ -249,10 +249,10 @@ fn what_cannot_be_made_is_explained() {
     let mut stock = fabrication.clone();
     stock.stock.length = 1.5;
     let short = nesting::nest(&blanks, &nesting::Settings::new(&stock));
-    text += &told(&short.expect_err("lamellae are longer"));
+    text += &told_of(&short.expect_err("lamellae are longer"));
     stock.stock.width = 0.03;
     let narrow = nesting::nest(&blanks, &nesting::Settings::new(&stock));
-    text += &told(&narrow.expect_err("lamellae are wider"));
+    text += &told_of(&narrow.expect_err("lamellae are wider"));
 
     let shopping = |hardware| bom::Shopping {
         hardware,
@@ -264,12 +264,12 @@ fn what_cannot_be_made_is_explained() {
     for lamella in &mut thick.lamellae {
         lamella.thickness = 0.012;
     }
-    text += &told(&bom::rows(&thick, &shopping(&hardware)).expect_err("bolts end at 40 mm"));
+    text += &told_of(&bom::rows(&thick, &shopping(&hardware)).expect_err("bolts end at 40 mm"));
 
     let mut wrong = hardware.clone();
     wrong.bolt.name = "M7".to_owned();
     wrong.bolt.diameter = 0.007;
-    text += &told(&bom::rows(&plan, &shopping(&wrong)).expect_err("no such series"));
+    text += &told_of(&bom::rows(&plan, &shopping(&wrong)).expect_err("no such series"));
 
     let mut kerf = fabrication.clone();
     kerf.kerf = 0.0045;
@@ -278,7 +278,7 @@ fn what_cannot_be_made_is_explained() {
         fabrication: &kerf,
         materials: &materials,
     };
-    text += &told(&fabrication::outputs(&plan, inputs).expect_err("holes close"));
+    text += &told_of(&fabrication::outputs(&plan, inputs).expect_err("holes close"));
 
     let mut broken = plan.clone();
     broken.members[3].planar[0][1] = f64::NAN;
@@ -286,7 +286,7 @@ fn what_cannot_be_made_is_explained() {
         fabrication: &fabrication,
         ..inputs
     };
-    text += &told(&fabrication::outputs(&broken, inputs).expect_err("no number"));
+    text += &told_of(&fabrication::outputs(&broken, inputs).expect_err("no number"));
     golden("refusals.txt", text.as_bytes());
 }
 
@@ -296,7 +296,51 @@ fn labels_without_room_are_told_and_left_out() {
     for lamella in &mut job.plan.lamellae {
         lamella.width = 0.004;
     }
-    let parts = fabrication::parts(&job.plan, job.inputs()).expect("parts");
+    let parts = fabrication::parts(&job.plan, job.inputs());
     assert_eq!(parts.warnings.len(), job.plan.lamellae.len());
     assert_eq!(parts.warnings[0].code.as_str(), "W0720");
+}
+
+#[test]
+fn what_a_workshop_objects_to_is_told() {
+    let mut job = Job::pavilion();
+    let mut text = String::new();
+    let mut tell = |name: &str, job: &Job| {
+        let told = match fabrication::check(&job.plan, job.inputs()) {
+            Ok(checked) => checked.warnings,
+            Err(told) => told,
+        };
+        text += &format!("-- {name}\n{}", told_of(&told));
+    };
+    tell("as it is", &job);
+
+    job.fabrication.spacing = 1e-3;
+    job.materials[1].grain = egg::project::model::Grain::Across;
+    tell("narrow spacing, grain across", &job);
+
+    let mut job = Job::pavilion();
+    // A notch that ends 4 mm before the next one, and one that runs into it.
+    for (id, rest) in [("east.u03", 4e-3), ("east.u05", -6e-3)] {
+        let is_named = |lamella: &&mut LamellaRecord| lamella.id == id;
+        let lamella = job.plan.lamellae.iter_mut().find(is_named);
+        let [_, _, first, second, ..] = &mut lamella.expect("a lamella").openings[..] else {
+            panic!("inner members cross several");
+        };
+        let (OpeningRecord::Notch { to, diameter, .. }, OpeningRecord::Notch { from, .. }) =
+            (first, second)
+        else {
+            panic!("inner members have notches");
+        };
+        *to = *from - *diameter - rest;
+    }
+    tell("long slides", &job);
+
+    let mut job = Job::pavilion();
+    for lamella in &mut job.plan.lamellae {
+        lamella.width = 0.009;
+        lamella.length -= 0.026 * 2.0;
+        lamella.end_margin = 0.004;
+    }
+    tell("narrow lamellae, short ends", &job);
+    golden("objections.txt", text.as_bytes());
 }

@@ -22,6 +22,7 @@
 //! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
 //! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |
 //! | `chapter` | patch | names, material | the patch's results |
+//! | `workshop` | patch | hardware, fabrication, materials | `chapter` |
 //! | `nest` | structure | stock, bed, margins, kerf, grain | chapters |
 //! | `bill` | structure | hardware, materials, prices | chapters, `nest` |
 //! | `plan` | structure | name | skeleton, chapters, `nest`, `bill` |
@@ -37,7 +38,7 @@ use super::stages::cladding::{
 };
 use super::stages::fabrication::{
     ABOVE_FILES, BILL, BillInput, CLADDING_FILES, DrawingInput, LAYOUT_FILES, NEST, NestInput,
-    PLAN_FILE, SHEET_FILES, TABLE_FILES,
+    PLAN_FILE, SHEET_FILES, TABLE_FILES, WORKSHOP,
 };
 use super::stages::layout::{ANCHOR, ANCHORS, Anchors, LINE, PATCH, PatchInput, STATION};
 use super::stages::members::{GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP};
@@ -125,6 +126,21 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         .map(|(i, patch)| chapter(graph, &basis, patch, i, &planned[i], &members, told))
         .collect();
 
+    let drawing = || DrawingInput {
+        name: project.name.clone(),
+        hardware: project.hardware.clone(),
+        fabrication: project.fabrication.clone(),
+        materials: project.materials.clone(),
+    };
+    let workshops: Vec<Node<()>> = patches
+        .iter()
+        .zip(&chapters)
+        .map(|(patch, chapter)| {
+            let workshop = graph.add(&WORKSHOP, &patch.name, drawing(), *chapter);
+            told.push((patch.name.clone(), workshop.warnings()));
+            workshop
+        })
+        .collect();
     let nest = graph.add(
         &NEST,
         "",
@@ -136,7 +152,7 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
                 .map(|m| (m.name.clone(), m.grain))
                 .collect(),
         },
-        chapters.clone(),
+        (chapters.clone(), workshops),
     );
     graph.origin(nest, "settings", "fabrication");
     told.push((String::new(), nest.warnings()));
@@ -170,12 +186,6 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
 
     let plan_file = graph.add(&PLAN_FILE, "", (), plan);
     graph.publish(plan_file);
-    let drawing = || DrawingInput {
-        name: project.name.clone(),
-        hardware: project.hardware.clone(),
-        fabrication: project.fabrication.clone(),
-        materials: project.materials.clone(),
-    };
     for (patch, chapter) in patches.iter().zip(&chapters) {
         let plot = graph.add(&CLADDING_FILES, &patch.name, (), *chapter);
         graph.publish(plot);

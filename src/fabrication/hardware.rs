@@ -220,6 +220,10 @@ pub fn tube_mass_per_metre(shell: &Shell) -> Option<f64> {
     Some((disc(shell.diameter) - disc(bore)) * density)
 }
 
+/// Bolts are made this much thinner than their nominal diameter, metres: a tube whose bore is the
+/// nominal diameter slides over them.
+const FIT: f64 = 1e-6;
+
 /// Hardware that cannot be bought or does not go together.
 pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
     let mut errors = Vec::new();
@@ -235,7 +239,7 @@ pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
     }
     if let Some(shell) = &hardware.shell {
         let bore = shell.diameter - 2.0 * shell.wall;
-        if bore <= hardware.bolt.diameter {
+        if bore < hardware.bolt.diameter - FIT {
             errors.push(
                 Diagnostic::error(
                     codes::SHELL_TOO_NARROW,

@@ -6,6 +6,7 @@
 //! | [`nesting`] | sheets of the plan from the sizes of its lamellae |
 //! | [`bom`] | the bill of materials of the plan |
 //! | [`part`], [`labels`] | a lamella as the shapes that cut it |
+//! | [`lints`], [`hardware`] | what a workshop would object to |
 //! | [`sheet`] | cut file and overview of a sheet |
 //! | [`layout`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
 //! | [`tables`] | CSV |
@@ -26,6 +27,7 @@ pub mod hardware;
 pub mod index;
 pub mod labels;
 pub mod layout;
+pub mod lints;
 pub mod names;
 pub mod nesting;
 pub mod nodes;
@@ -38,6 +40,6 @@ pub mod tables;
 pub mod units;
 
 pub use outputs::{
-    Inputs, OutputFile, above_files, blanks, cladding_files, layout_files, outputs, parts,
+    Inputs, OutputFile, above_files, blanks, check, cladding_files, layout_files, outputs, parts,
     sheet_files, table_files,
 };

@@ -3,6 +3,7 @@
 use super::drawing::{Drawing, NotFinite};
 use super::index::PlanIndex;
 use super::layout::FlatPatch;
+use super::lints::lints;
 use super::names::{distinct_file_names, file_name};
 use super::nesting::Blank;
 use super::part::{Part, PartStyle};
@@ -10,7 +11,7 @@ use super::sheet::{Parts, SheetStyle, trim};
 use super::units::MM;
 use super::{cladding_plot, dxf, from_above, hardware, layout, part, sheet, svg, tables};
 use crate::diagnostics::codes::fabrication as codes;
-use crate::diagnostics::{Checked, Diagnostic, Warned};
+use crate::diagnostics::{Checked, Diagnostic, Severity, Warned};
 use crate::plan::{LamellaRecord, OpeningRecord, Plan, SheetRecord};
 use crate::project::model::{Fabrication, Grain, Hardware, Material};
 
@@ -37,9 +38,14 @@ pub struct Inputs<'a> {
 /// Every file of a plan whose sheets and bill are made.
 pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     let Warned {
+        value: (),
+        mut warnings,
+    } = check(plan, inputs)?;
+    let Warned {
         value: parts,
-        warnings,
-    } = parts(plan, inputs)?;
+        warnings: told,
+    } = parts(plan, inputs);
+    warnings.extend(told);
     let mut files = Vec::new();
     let mut errors = Vec::new();
     let mut take = |result: Checked<Vec<OutputFile>>| match result {
@@ -80,13 +86,28 @@ pub fn blanks(lamellae: &[LamellaRecord], materials: &[Material]) -> Vec<Blank> 
         .collect()
 }
 
-/// Every lamella as a part to cut.
-pub fn parts(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<Part>> {
-    let mut errors = hardware::check(inputs.hardware);
-    errors.extend(kerf_errors(plan, inputs.fabrication));
-    if !errors.is_empty() {
-        return Err(errors);
+/// Whether the parts of a plan can be made and hold, and what a workshop should know.
+pub fn check(plan: &Plan, inputs: Inputs<'_>) -> Checked<()> {
+    let mut told = hardware::check(inputs.hardware);
+    told.extend(kerf_errors(plan, inputs.fabrication));
+    told.extend(lints(
+        &plan.lamellae,
+        inputs.hardware,
+        inputs.fabrication,
+        inputs.materials,
+    ));
+    if told.iter().any(|d| d.severity == Severity::Error) {
+        Err(told)
+    } else {
+        Ok(Warned {
+            value: (),
+            warnings: told,
+        })
     }
+}
+
+/// Every lamella as a part to cut; labels without place are told.
+pub fn parts(plan: &Plan, inputs: Inputs<'_>) -> Warned<Vec<Part>> {
     let style = PartStyle {
         kerf: inputs.fabrication.kerf * MM,
         label_height: inputs.fabrication.label_height * MM,
@@ -102,10 +123,10 @@ pub fn parts(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<Part>> {
             warnings.extend(told);
         }
     }
-    Ok(Warned {
+    Warned {
         value: parts,
         warnings,
-    })
+    }
 }
 
 /// The cut file and the overview of a sheet.

@@ -137,7 +137,7 @@ fn placed<'a>(
     order
         .into_iter()
         .filter_map(|place| {
-            let part = *parts.get(place.lamella.as_str())?;
+            let part = *parts.get(place.part.as_str())?;
             Some((part, [place.x * MM, place.y * MM]))
         })
         .collect::<Vec<_>>()

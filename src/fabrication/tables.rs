@@ -283,7 +283,7 @@ fn places(plan: &Plan) -> BTreeMap<&str, PlaceOnSheet<'_>> {
         for part in &sheet.parts {
             let row = rows.iter().position(|y| *y == part.y).unwrap_or_default() + 1;
             places.insert(
-                part.lamella.as_str(),
+                part.part.as_str(),
                 PlaceOnSheet {
                     sheet: &sheet.id,
                     row,

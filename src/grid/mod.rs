@@ -5,7 +5,7 @@ mod check;
 mod lamella;
 mod net;
 
-pub use check::{check_flat_state, check_lamellae};
+pub use check::check_flat_state;
 
 pub use lamella::{Lamella, Opening, Section, lamella};
 pub use net::{Crossing, Miscrossing, Positions, crossings_of};

@@ -183,6 +183,7 @@ fn lamella_record(names: &PatchNames<'_>, lamella: &Lamella, section: &Section) 
         width: section.width,
         thickness: section.thickness,
         mass: lamella.mass,
+        pieces: Vec::new(),
         openings: lamella
             .openings
             .iter()

@@ -3,9 +3,9 @@
 //! Lengths in metres, angles in degrees, masses in kilograms. Numbers keep full precision here
 //! and are rounded only when written.
 
-use super::round;
+use super::{openings, round};
 use crate::diagnostics::Diagnostic;
-use crate::project::model::Family;
+use crate::project::model::{Family, SpliceKind, SupportKind};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +33,10 @@ pub struct Plan {
     pub lamellae: Vec<LamellaRecord>,
     /// Panels with their parts.
     pub sheets: Vec<SheetRecord>,
+    /// Foils between lamellae, in the order of assembly.
+    pub stickers: Vec<StickerRecord>,
+    /// What the structure stands on.
+    pub supports: Vec<SupportRecord>,
     /// What to buy.
     pub bill_of_materials: Vec<BomRow>,
     /// What the compiler had to say.
@@ -322,7 +326,38 @@ pub struct LamellaRecord {
     #[serde(serialize_with = "round::kilograms")]
     pub mass: f64,
     /// Sorted along the lamella.
+    #[serde(with = "openings")]
+    #[schemars(with = "Vec<OpeningRecord>")]
     pub openings: Vec<OpeningRecord>,
+    /// Pieces that are joined, from the start to the end; none for a lamella in one piece.
+    pub pieces: Vec<PieceRecord>,
+}
+
+/// A piece of a spliced lamella. Positions are metres from the start of the lamella.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct PieceRecord {
+    /// `west.u03a`.
+    pub id: String,
+    /// Middle of the joint at its start, or the start of the lamella.
+    #[serde(serialize_with = "round::metres")]
+    pub from: f64,
+    /// Middle of the joint at its end, or the end of the lamella.
+    #[serde(serialize_with = "round::metres")]
+    pub to: f64,
+    /// The joint to the next piece; none at the last.
+    pub joint: Option<JointRecord>,
+}
+
+/// How two pieces are joined.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct JointRecord {
+    /// Fingers, scarf or plate.
+    pub kind: SpliceKind,
+    /// Length that the joint takes along the lamella, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub length: f64,
 }
 
 /// An opening of a lamella. Positions are arc lengths from the start of the member, metres.
@@ -376,10 +411,10 @@ pub struct SheetRecord {
     /// Metres.
     #[serde(serialize_with = "round::metres")]
     pub thickness: f64,
-    /// Along the grain, metres.
+    /// Along the parts, metres.
     #[serde(serialize_with = "round::metres")]
     pub length: f64,
-    /// Across the grain, metres.
+    /// Across the parts, metres.
     #[serde(serialize_with = "round::metres")]
     pub width: f64,
     /// Share of the panel's area that becomes parts.
@@ -393,14 +428,95 @@ pub struct SheetRecord {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct PlacedPart {
-    /// Id of the lamella.
-    pub lamella: String,
+    /// Id of the lamella, or of its piece.
+    pub part: String,
     /// Metres from the left.
     #[serde(serialize_with = "round::metres")]
     pub x: f64,
     /// Metres from below.
     #[serde(serialize_with = "round::metres")]
     pub y: f64,
+}
+
+/// A foil on one face of a lamella at a crossing. Positions are arc lengths from the start of
+/// the member, metres, as those of openings.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StickerRecord {
+    /// `west.u03-v05.u`: the crossing, and the family of the lamella that carries it.
+    pub id: String,
+    /// From 1, in the order of assembly.
+    pub number: u32,
+    /// Id of the crossing.
+    pub crossing: String,
+    /// Id of the lamella that carries it.
+    pub lamella: String,
+    /// The face that it covers.
+    pub face: Face,
+    /// Where it begins.
+    #[serde(serialize_with = "round::metres")]
+    pub from: f64,
+    /// Where it ends.
+    #[serde(serialize_with = "round::metres")]
+    pub to: f64,
+    /// Across the lamella, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub width: f64,
+    /// First and last centre of the bolt in its slot.
+    #[serde(serialize_with = "round::metres")]
+    pub slot: [f64; 2],
+    /// Width of its slot, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub diameter: f64,
+}
+
+/// A face of a lamella.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+pub enum Face {
+    /// The one with the labels, seen in the layout drawing.
+    Top,
+    /// The other one.
+    Bottom,
+}
+
+/// A support: a point and a tangent plane that the structure is bolted to.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SupportRecord {
+    /// `support-a`, `support-west.u01-v03`.
+    pub id: String,
+    /// The anchor or crossing that it carries.
+    pub at: String,
+    /// What it is.
+    pub kind: SupportKind,
+    /// Middle of its contact face, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub position: [f64; 3],
+    /// Unit normal of the contact face, upwards.
+    #[serde(serialize_with = "round::share")]
+    pub normal: [f64; 3],
+    /// Angle of the contact face to the horizontal, degrees.
+    #[serde(serialize_with = "round::degrees")]
+    pub tilt: f64,
+    /// Direction in which the contact face falls, degrees counter-clockwise from x.
+    #[serde(serialize_with = "round::degrees")]
+    pub azimuth: f64,
+    /// Middle of the contact face above the ground, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub height: f64,
+    /// Diameter of the contact face, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub pad: f64,
+    /// Diameter or side of the foot, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub foot: f64,
+    /// Cubic metres, the wedge apart.
+    #[serde(serialize_with = "round::quantity")]
+    pub volume: f64,
+    /// Kilograms, where the material is known.
+    #[serde(serialize_with = "round::kilograms")]
+    pub mass: f64,
 }
 
 /// One line of the shopping list.
@@ -460,6 +576,8 @@ impl Default for Plan {
             members: Vec::new(),
             crossings: Vec::new(),
             lamellae: Vec::new(),
+            stickers: Vec::new(),
+            supports: Vec::new(),
             sheets: Vec::new(),
             bill_of_materials: Vec::new(),
             diagnostics: Vec::new(),

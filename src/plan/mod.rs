@@ -3,6 +3,7 @@
 
 mod chapter;
 mod document;
+mod openings;
 mod round;
 mod write;
 

@@ -1,6 +1,10 @@
 //! Rounding of numbers when a plan is written: one rule per quantity, far below what a machine
 //! can cut and far above the last bits of a computation.
 //!
+//! Only notations for people and scripts (RON, JSON) are rounded. The binary form of the cache
+//! keeps every bit, so that what is made from a plan does not depend on whether it was computed
+//! or read back.
+//!
 //! The functions are for `#[serde(serialize_with)]` on the fields of records.
 
 use serde::{Serialize, Serializer};
@@ -62,6 +66,19 @@ impl Numbers for [[f64; 2]; 4] {
     }
 }
 
+/// Writes a value, rounded where the notation is one that people read.
+fn written<T: Numbers + Serialize, S: Serializer>(
+    value: &T,
+    rounded: &dyn Fn(f64) -> f64,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    if serializer.is_human_readable() {
+        value.map(rounded).serialize(serializer)
+    } else {
+        value.serialize(serializer)
+    }
+}
+
 fn to_decimals(decimals: i32) -> impl Fn(f64) -> f64 {
     let scale = libm::pow(10.0, f64::from(decimals));
     move |x| {
@@ -77,47 +94,47 @@ fn to_decimals(decimals: i32) -> impl Fn(f64) -> f64 {
 
 /// Lengths and coordinates in metres: to the nanometre, so that conditions of 1e-6 of a length
 /// can be checked on a written plan.
-pub(super) fn metres<T: Numbers, S: Serializer>(
+pub(super) fn metres<T: Numbers + Serialize, S: Serializer>(
     value: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    value.map(&to_decimals(9)).serialize(serializer)
+    written(value, &to_decimals(9), serializer)
 }
 
 /// Shares, slopes, ratios and components of unit vectors: to 1e-9.
-pub(super) fn share<T: Numbers, S: Serializer>(
+pub(super) fn share<T: Numbers + Serialize, S: Serializer>(
     value: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    value.map(&to_decimals(9)).serialize(serializer)
+    written(value, &to_decimals(9), serializer)
 }
 
 /// Angles in degrees: to 1e-6.
-pub(super) fn degrees<T: Numbers, S: Serializer>(
+pub(super) fn degrees<T: Numbers + Serialize, S: Serializer>(
     value: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    value.map(&to_decimals(6)).serialize(serializer)
+    written(value, &to_decimals(6), serializer)
 }
 
 /// Masses in kilograms: to the milligram.
-pub(super) fn kilograms<T: Numbers, S: Serializer>(
+pub(super) fn kilograms<T: Numbers + Serialize, S: Serializer>(
     value: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    value.map(&to_decimals(6)).serialize(serializer)
+    written(value, &to_decimals(6), serializer)
 }
 
 /// Areas and quantities of a bill: to 1e-6.
-pub(super) fn quantity<T: Numbers, S: Serializer>(
+pub(super) fn quantity<T: Numbers + Serialize, S: Serializer>(
     value: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    value.map(&to_decimals(6)).serialize(serializer)
+    written(value, &to_decimals(6), serializer)
 }
 
 /// Curvatures: to six significant digits, the estimate has no more.
-pub(super) fn curvature<T: Numbers, S: Serializer>(
+pub(super) fn curvature<T: Numbers + Serialize, S: Serializer>(
     value: &T,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
@@ -128,7 +145,7 @@ pub(super) fn curvature<T: Numbers, S: Serializer>(
         let magnitude = libm::floor(libm::log10(x.abs())) as i32;
         to_decimals(5 - magnitude)(x)
     };
-    value.map(&significant).serialize(serializer)
+    written(value, &significant, serializer)
 }
 
 #[cfg(test)]
@@ -156,6 +173,17 @@ mod tests {
         assert_eq!(
             text,
             "(length:0.3,polyline:[(0.0,0.333333333,12345.678912346)],bend:Some(-0.00123457))"
+        );
+    }
+
+    #[test]
+    fn the_binary_form_keeps_every_bit() {
+        #[derive(Serialize)]
+        struct Exact(#[serde(serialize_with = "metres")] f64);
+        let third = 1.0 / 3.0;
+        assert_eq!(
+            postcard::to_stdvec(&Exact(third)),
+            postcard::to_stdvec(&third)
         );
     }
 }

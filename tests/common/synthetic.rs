@@ -195,6 +195,8 @@ pub(crate) fn plan(name: &str, patches: &[Patch], section: &Section) -> Plan {
         crossings: Vec::new(),
         lamellae: Vec::new(),
         sheets: Vec::new(),
+        stickers: Vec::new(),
+        supports: Vec::new(),
         bill_of_materials: Vec::new(),
         diagnostics: Vec::new(),
     };
@@ -372,6 +374,7 @@ fn lamella(plan: &Plan, member: &MemberRecord, section: &Section) -> LamellaReco
         thickness: section.thickness,
         mass: length * section.width * section.thickness * 450.0,
         openings,
+        pieces: Vec::new(),
     }
 }
 

@@ -90,7 +90,7 @@ def check_sheet(path, sheet, lamellae, settings):
     outlines = [slot(e) for e in outer]
     expected_circles, expected_slots, expected_outlines = [], [], []
     for place in sheet["parts"]:
-        part = lamellae[place["lamella"]]
+        part = lamellae[place["part"]]
         x, y = place["x"] * MM, place["y"] * MM + part["width"] * MM / 2
         half = part["width"] * MM / 2
         expected_outlines.append((x + half, x + part["length"] * MM - half, y, half + kerf / 2))

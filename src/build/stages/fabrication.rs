@@ -18,12 +18,12 @@ pub(in crate::build) struct NestInput {
     pub(in crate::build) grains: Vec<(String, Grain)>,
 }
 
-/// Sheets of all lamellae.
-pub(in crate::build) const NEST: Stage<NestInput, Vec<Node<Plan>>, Nest> = Stage {
+/// Sheets of all lamellae, once no workshop objects to one of them.
+pub(in crate::build) const NEST: Stage<NestInput, (Vec<Node<Plan>>, Vec<Node<()>>), Nest> = Stage {
     name: "nest",
     version: 1,
     numerics: Numerics::Portable,
-    run: |input, chapters, _| {
+    run: |input, (chapters, _), _| {
         let grain = |material: &str| {
             let known = input.grains.iter().find(|(name, _)| name == material);
             known.map_or(Grain::Along, |(_, grain)| *grain)
@@ -97,6 +97,14 @@ impl DrawingInput {
     }
 }
 
+/// What a workshop would object to in the lamellae of a patch.
+pub(in crate::build) const WORKSHOP: Stage<DrawingInput, Node<Plan>, ()> = Stage {
+    name: "workshop",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, chapter, _| outcome(outputs::check(chapter, input.inputs())),
+};
+
 /// Plots of the cladding functions of a patch.
 pub(in crate::build) const CLADDING_FILES: Stage<(), Node<Plan>, Files> = Stage {
     name: "cladding-files",
@@ -140,7 +148,7 @@ pub(in crate::build) const SHEET_FILES: Stage<DrawingInput, (Vec<Node<Plan>>, No
             let Warned {
                 value: parts,
                 warnings,
-            } = outputs::parts(&plan, input.inputs()).map_err(Failure::Errors)?;
+            } = outputs::parts(&plan, input.inputs());
             let by_id = parts.iter().map(|part| (part.id.as_str(), part)).collect();
             let mut made = Files::new();
             for sheet in &plan.sheets {

@@ -7,8 +7,7 @@ use crate::cladding::Clad;
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::grid as codes;
 use crate::grid::{
-    Crossing, Lamella, Miscrossing, Section, check_flat_state, check_lamellae, crossings_of,
-    lamella,
+    Crossing, Lamella, Miscrossing, Section, check_flat_state, crossings_of, lamella,
 };
 use crate::layout::Domain;
 use crate::members::schedule::{Schedule, schedule};
@@ -203,8 +202,7 @@ pub(in crate::build) const LAMELLAE: Stage<Section, LamellaNeeds, Vec<Lamella>> 
             .chain(v)
             .map(|member| lamella(member, crossings, section))
             .collect();
-        let mut found = check_lamellae(&lamellae, section);
-        found.extend(check_flat_state(u, section));
+        let mut found = check_flat_state(u, section);
         found.extend(check_flat_state(v, section));
         judged(lamellae, found)
     },

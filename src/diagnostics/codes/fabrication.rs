@@ -20,10 +20,32 @@ pub const UNKNOWN_BOLT: Code = Code::new("E0707");
 pub const BOLT_TOO_SHORT: Code = Code::new("E0708");
 /// The shell does not go over the bolt.
 pub const SHELL_TOO_NARROW: Code = Code::new("E0709");
+/// Two openings overlap or nearly so.
+pub const OPENINGS_MEET: Code = Code::new("E0710");
+/// An opening takes the whole width.
+pub const OPENING_TOO_WIDE: Code = Code::new("E0711");
+/// An opening breaks through the end.
+pub const OPENING_AT_END: Code = Code::new("E0712");
 /// A label found no place.
 pub const LABEL_OMITTED: Code = Code::new("W0720");
 /// A label has characters without strokes.
 pub const LABEL_CHARACTERS: Code = Code::new("W0721");
+/// Little wood between two openings.
+pub const NARROW_WEB: Code = Code::new("W0722");
+/// Openings take more than half of the section.
+pub const NET_SECTION: Code = Code::new("W0723");
+/// An opening is small for the sheet.
+pub const SMALL_HOLE: Code = Code::new("W0724");
+/// An opening is close to the end.
+pub const SHORT_END: Code = Code::new("W0725");
+/// The washer does not bridge the notch.
+pub const WASHER_NARROW: Code = Code::new("W0726");
+/// The washer is wider than the lamella.
+pub const WASHER_WIDE: Code = Code::new("W0727");
+/// The grain runs across.
+pub const GRAIN_ACROSS: Code = Code::new("W0728");
+/// Parts lie close together.
+pub const NARROW_SPACING: Code = Code::new("W0729");
 
 pub(super) const CODES: &[CodeInfo] = &[
     CodeInfo {
@@ -96,6 +118,31 @@ diameter less twice the wall, must be larger than the bolt. For M4 a tube of 5 m
 0.45 mm fits, for M3 one of 4 mm with the same wall.",
     },
     CodeInfo {
+        code: "E0710",
+        name: "openings-meet",
+        title: "two openings of a lamella run into each other",
+        text: "A notch is as long as the slide of its crossing and the shell. Where the slide is \
+longer than the distance to the next crossing, the two openings overlap, or leave less than a \
+millimetre of wood that burns away. Two bolts in one opening would not hold their places, so \
+openings are not merged.\n\nUse fewer members, a smaller patch, or a planar angle that is farther \
+from the surface's.",
+    },
+    CodeInfo {
+        code: "E0711",
+        name: "opening-too-wide",
+        title: "an opening takes the whole width of its lamella",
+        text: "Less than a millimetre of wood stays beside the opening: the lamella falls apart \
+when it is cut. Choose wider lamellae, or a thinner bolt and shell.",
+    },
+    CodeInfo {
+        code: "E0712",
+        name: "opening-at-end",
+        title: "an opening breaks through the end of its lamella",
+        text: "The opening reaches the end of the lamella or leaves less than a millimetre. \
+`end_margin` in `[fabrication]` is the distance from the last bolt to the end; its default is the \
+width of the lamella.",
+    },
+    CodeInfo {
         code: "W0720",
         name: "label-omitted",
         title: "a label found no place on its lamella",
@@ -110,5 +157,65 @@ drawing shows them all. A smaller `label_height` or wider lamellae make room.",
         text: "The single-stroke font draws Latin letters, digits and common signs; letters with \
 marks lose them. A box is engraved for every other character. Name patches with letters that the \
 font has, so that lamellae can be told apart.",
+    },
+    CodeInfo {
+        code: "W0722",
+        name: "narrow-web",
+        title: "little wood stays between two openings",
+        text: "Between two bolts the wood is sheared along the grain. One and a half bolt \
+diameters of it are a usual least; less may split when the grid is deployed.",
+    },
+    CodeInfo {
+        code: "W0723",
+        name: "net-section",
+        title: "openings take more than half of the section",
+        text: "At an opening the whole bending moment goes through the wood on its two sides. \
+The stress there is that of the full section times width over remaining width. Choose wider \
+lamellae, or a thinner bolt and shell.",
+    },
+    CodeInfo {
+        code: "W0724",
+        name: "small-hole",
+        title: "an opening is small for the thickness of the sheet",
+        text: "Lasers cut openings below one and a half thicknesses conically and with charred \
+edges; shells may stick in them. Thinner sheets or larger bolts avoid it. Cut the coupon first to \
+see what your machine does.",
+    },
+    CodeInfo {
+        code: "W0725",
+        name: "short-end",
+        title: "an opening is close to the end of its lamella",
+        text: "The wood behind the last bolt splits along the grain if it is shorter than about \
+two diameters of the opening. `end_margin` in `[fabrication]` sets it.",
+    },
+    CodeInfo {
+        code: "W0726",
+        name: "washer-narrow",
+        title: "the washers hardly bridge the openings",
+        text: "A washer should bear on two millimetres of wood on both sides of the notch, or it \
+is drawn into it when the bolt is tightened. Large washers (ISO 7093) of the bolt's size are \
+assumed.",
+    },
+    CodeInfo {
+        code: "W0727",
+        name: "washer-wide",
+        title: "the washers stand over the edges of the lamella",
+        text: "Large washers (ISO 7093) of the bolt's size are wider than the lamella. They \
+catch, and crush the edges. A smaller bolt or a wider lamella avoids it.",
+    },
+    CodeInfo {
+        code: "W0728",
+        name: "grain-across",
+        title: "the grain runs across the lamellae",
+        text: "Across the grain wood has about a fifth of its stiffness. The first showcase model \
+of the method collapsed under its own weight for this reason: the face plies of its plywood ran \
+across the lamellae. Turn the panel so that the grain of the faces runs along the lamellae.",
+    },
+    CodeInfo {
+        code: "W0729",
+        name: "narrow-spacing",
+        title: "parts lie close together on the sheet",
+        text: "A thin strip of waste between two cuts chars, bends and may move the parts. Half \
+the thickness of the sheet plus the kerf, at least 2 mm, is a usual `spacing`.",
     },
 ];

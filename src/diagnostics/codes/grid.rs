@@ -6,19 +6,13 @@ use super::{Code, CodeInfo};
 pub const NO_MEMBER: Code = Code::new("E0601");
 /// Members that do not meet once.
 pub const MISCROSSING: Code = Code::new("E0602");
-/// Openings that run into each other.
-pub const OPENINGS_OVERLAP: Code = Code::new("E0603");
-/// A notch beyond the end of a lamella.
-pub const OPENING_AT_END: Code = Code::new("E0604");
 /// Members that spiral.
-pub const SPIRAL: Code = Code::new("E0605");
+pub const SPIRAL: Code = Code::new("E0603");
 /// Counts that contradict each other.
-pub const COUNTS: Code = Code::new("E0606");
+pub const COUNTS: Code = Code::new("E0604");
 
-/// Little material between two openings.
-pub const THIN_WEB: Code = Code::new("W0601");
 /// Flat lamellae that lie on each other.
-pub const FLAT_OVERLAP: Code = Code::new("W0602");
+pub const FLAT_OVERLAP: Code = Code::new("W0601");
 
 pub(super) const CODES: &[CodeInfo] = &[
     CodeInfo {
@@ -42,25 +36,6 @@ peak of curvature on both sides. Split the patch over the peak or choose another
     },
     CodeInfo {
         code: "E0603",
-        name: "openings-overlap",
-        title: "two openings of a lamella run into each other",
-        text: "\
-A notch reaches from the place of the bolt in the flat state to its place in the deployed state. \
-Here neighbouring notches overlap: cut like that, bolts could pass from one to the other.
-
-Take fewer members of the crossing family, make the patch smaller (notches grow with its \
-curvature), or choose an `alpha` that moves the bolts less.",
-    },
-    CodeInfo {
-        code: "E0604",
-        name: "opening-at-end",
-        title: "an opening reaches the end of its lamella",
-        text: "\
-The lamella ends `fabrication.end_margin` beyond its last bolt. An opening must stay inside, with \
-half its width of material around it. Give a larger end margin.",
-    },
-    CodeInfo {
-        code: "E0605",
         name: "spiral",
         title: "members run round and round through neighbouring patches",
         text: "\
@@ -69,7 +44,7 @@ through the neighbour and the patches behind it. Here such members come back to 
 beside themselves, and would go round for ever. Let corners meet, or leave a gap between patches.",
     },
     CodeInfo {
-        code: "E0606",
+        code: "E0604",
         name: "member-counts",
         title: "numbers of members contradict each other",
         text: "\
@@ -79,15 +54,6 @@ at least. Give the patch more members, or its neighbours fewer.",
     },
     CodeInfo {
         code: "W0601",
-        name: "thin-web",
-        title: "little material stays between two openings",
-        text: "\
-Between two openings of a lamella at least 1.5 bolt diameters of material should stay: it carries \
-the bending moment past both, and it has to survive the assembly. Take fewer members, a thinner \
-bolt or shell, or another `alpha`.",
-    },
-    CodeInfo {
-        code: "W0602",
         name: "lamellae-overlap",
         title: "flat lamellae of one family lie on each other",
         text: "\

@@ -226,7 +226,7 @@ fn nest_on(blanks: &[&Blank], settings: &Settings, format: Format) -> (Vec<Sheet
             sheet(&stack, settings, format)
         })
         .collect();
-    sheets.sort_by_cached_key(|sheet| sheet.parts.first().map(|part| part.lamella.clone()));
+    sheets.sort_by_cached_key(|sheet| sheet.parts.first().map(|part| part.part.clone()));
     let count = sheets.len() as u32;
     let parts: f64 = blanks.iter().map(|blank| blank.length * blank.width).sum();
     let group = Group {
@@ -273,7 +273,7 @@ fn sheet(stack: &[&Row], settings: &Settings, format: Format) -> SheetRecord {
         let mut x = settings.margin;
         for part in &row.parts {
             parts.push(PlacedPart {
-                lamella: part.id.clone(),
+                part: part.id.clone(),
                 x,
                 y,
             });

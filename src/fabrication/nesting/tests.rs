@@ -175,7 +175,7 @@ proptest! {
                 .parts
                 .iter()
                 .map(|part| {
-                    let blank = blanks.iter().find(|b| b.id == part.lamella).expect("a part");
+                    let blank = blanks.iter().find(|b| b.id == part.part).expect("a part");
                     [part.x, part.y, part.x + blank.length, part.y + blank.width]
                 })
                 .collect();
