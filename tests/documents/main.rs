@@ -11,4 +11,5 @@ mod picture;
 mod plan;
 mod projects;
 mod readme;
+mod rooms;
 mod tables;
