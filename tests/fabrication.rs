@@ -310,7 +310,7 @@ fn what_a_workshop_objects_to_is_told() {
             Ok(checked) => checked.warnings,
             Err(told) => told,
         };
-        text += &format!("-- {name}\n{}", told_of(&told));
+        text.extend(["-- ", name, "\n", &told_of(&told)]);
     };
     tell("as it is", &job);
 

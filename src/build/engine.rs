@@ -1,21 +1,17 @@
 //! The engine: one output directory, one cache, any number of plans and builds.
 
 use super::clock::Clock;
-use super::declare::{Graph, Instance};
-use super::event::{Event, How};
-use super::needs::Needs;
+use super::declare::Graph;
 use super::plan::Plan;
-use super::publish::{Claim, Claimed, Publication, Publishing, compare, inspect, manifest_stands};
+use super::publish::{compare, inspect};
 use super::request::Request;
-use super::session::{BuiltStage, Conditions, Kept, Publisher, Session, damage_notice, retire};
+use super::session::{Known, Session, damage_notice};
 use super::source::SourceFile;
-use super::stage::{CancelToken, Stage};
 use super::stamp::Stamp;
 use super::store::Store;
-use super::store::collect::{Collected, Limits};
-use super::store::worktree::{Outputs, SourceRecord, Worktree};
-use crate::diagnostics::{Code, Diagnostic, Severity};
-use std::collections::{BTreeMap, BTreeSet};
+use super::store::collect::Limits;
+use super::store::worktree::{PublicationRecord, SourceRecord, Worktree};
+use crate::diagnostics::Diagnostic;
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -59,62 +55,14 @@ impl Settings {
 /// Compiles graphs into one output directory.
 #[derive(Debug)]
 pub struct Engine {
-    settings: Settings,
-    store: Arc<Store>,
-    worktree: Worktree,
+    pub(super) settings: Settings,
+    pub(super) store: Arc<Store>,
+    pub(super) worktree: Worktree,
     /// Input files that were asked for since the last build.
-    sources: Vec<SourceRecord>,
-    notices: Vec<Diagnostic>,
+    pub(super) sources: Vec<SourceRecord>,
+    /// What there is to tell about the record of the last build.
+    pub(super) notices: Vec<Diagnostic>,
 }
-
-/// What a build did.
-pub struct Built {
-    /// All instances that were asked for, in the graph's order.
-    pub stages: Vec<BuiltStage>,
-    /// Everything that was said, by stages and by the engine, in the graph's order.
-    pub diagnostics: Vec<Diagnostic>,
-    /// What happened in the output directory; nothing if the build was stopped.
-    pub publication: Publication,
-    /// Whether the user stopped it.
-    pub cancelled: bool,
-    /// What the collector did, if it was its turn.
-    pub collected: Option<Collected>,
-    store: Arc<Store>,
-    kept: Vec<Kept>,
-}
-
-impl Built {
-    /// Whether everything that was asked for is there.
-    pub fn succeeded(&self) -> bool {
-        !self.cancelled
-            && self.stages.iter().all(|stage| stage.how.succeeded())
-            && !self
-                .diagnostics
-                .iter()
-                .any(|one| one.severity == Severity::Error)
-    }
-
-    /// Number of instances that ended like this.
-    pub fn count(&self, how: How) -> usize {
-        self.stages.iter().filter(|stage| stage.how == how).count()
-    }
-
-    /// The output of an instance, from memory or from the cache.
-    pub fn output<I, N: Needs, O: Send + Sync + 'static>(
-        &self,
-        stage: &Stage<I, N, O>,
-        target: &str,
-    ) -> Option<Arc<O>> {
-        let kept = self
-            .kept
-            .iter()
-            .find(|kept| kept.instance.stage == stage.name && kept.instance.target == target)?;
-        kept.load(&self.store)?.downcast().ok()
-    }
-}
-
-/// Passes over a graph whose results turn out not to be repeatable; then the build gives up.
-const PASSES: usize = 4;
 
 impl Engine {
     /// An engine with the memory of the last build, if there was one.
@@ -169,17 +117,27 @@ impl Engine {
     /// What building would do.
     pub fn plan<'p>(&self, request: &Request, declare: &dyn Fn(&mut Graph<'p>)) -> Plan {
         let _shared = self.store.share();
-        let mut session = self.session(request, BTreeMap::new(), declare);
+        self.planned(request, declare).0
+    }
+
+    /// The plan, with the look-ups that it was made from.
+    pub(super) fn planned<'p, 's>(
+        &'s self,
+        request: &'s Request,
+        declare: &dyn Fn(&mut Graph<'p>),
+    ) -> (Plan, Session<'p, 's>) {
+        let mut session = self.session(request, Known::default(), declare);
+        let directory = &self.settings.output;
         let mut reasons = Vec::new();
         for publisher in session.publishers() {
             let found = match self.worktree.publication(&publisher.owner) {
                 Some(record) if record.output == publisher.output => {
-                    inspect(&self.settings.output, record, request.outputs)
+                    inspect(directory, record, request.outputs)
                 }
-                // The stage itself has moved.
+                // The stage itself has moved, and says so.
                 Some(_) => continue,
                 None => match session.files(publisher.index) {
-                    Some(files) => compare(&self.settings.output, &files),
+                    Some(files) => compare(directory, &files),
                     None => continue,
                 },
             };
@@ -192,82 +150,27 @@ impl Engine {
         for (owner, reasons) in reasons {
             plan.annotate(&owner, reasons);
         }
-        plan.diagnostics.splice(0..0, self.notices.iter().cloned());
-        plan
+        let noticed = self.notices.iter().cloned();
+        plan.diagnostics.splice(0..0, noticed);
+        plan.diagnostics.extend(session.unmatched());
+        (plan, session)
     }
 
-    /// Runs what has to run and publishes the results.
-    ///
-    /// `declare` lists the graph; it is called again if the pass has to be repeated. `observe`
-    /// receives events on the calling thread.
-    pub fn build<'p>(
-        &mut self,
-        request: &Request,
-        declare: &dyn Fn(&mut Graph<'p>),
-        cancel: &CancelToken,
-        observe: &mut dyn FnMut(Event<'_>),
-    ) -> Built {
-        let shared = self.store.share();
-        let conditions = Conditions {
-            jobs: self.settings.jobs,
-            patience: self.settings.patience,
-            cancel: cancel.clone(),
-        };
-        let mut diagnostics = std::mem::take(&mut self.notices);
-        let mut session = self.session(request, BTreeMap::new(), declare);
-        observe(Event::Planned {
-            tally: session.tally(conditions.jobs, &[]),
-        });
-        session.execute(&conditions, observe);
-        let mut passes = 1;
-        while session.is_unsettled() && passes < PASSES && !cancel.is_cancelled() {
-            diagnostics.extend(session.take_notices());
-            session = self.session(request, session.into_results(), declare);
-            session.execute(&conditions, observe);
-            passes += 1;
-        }
-        let cancelled = cancel.is_cancelled() && !session.is_complete();
-        let (outputs, publication) = if cancelled || session.is_unsettled() {
-            (None, Publication::default())
-        } else {
-            self.publish(request, &mut session, &conditions, observe)
-        };
-        for notice in session.diagnostics() {
-            if !diagnostics.contains(&notice) {
-                diagnostics.push(notice);
-            }
-        }
-        if session.is_unsettled() && !cancelled {
-            diagnostics.push(not_repeatable());
-        }
-        diagnostics.extend(publication.diagnostics.iter().cloned());
-        let stages = session.stages();
-        let instances = session.records();
-        let kept = session.into_kept();
-        diagnostics.extend(self.remember(instances, outputs));
-        drop(shared);
-        let ran = stages.iter().any(|stage| stage.how == How::Ran);
-        let collected = (ran && !cancelled)
-            .then(|| {
-                let now = self.settings.clock.now();
-                self.store.collect_if_due(&self.settings.limits, now)
-            })
-            .flatten();
-        Built {
-            stages,
-            diagnostics,
-            publication,
-            cancelled,
-            collected,
-            store: self.store.clone(),
-            kept,
-        }
+    /// The output directory.
+    pub fn output(&self) -> &Path {
+        &self.settings.output
     }
 
-    fn session<'p, 's>(
+    /// What stands in the output directory by the last build.
+    pub(super) fn publications(&self) -> impl Iterator<Item = &PublicationRecord> {
+        self.worktree.outputs.publications.iter()
+    }
+
+    /// A pass over the graph, with all look-ups made.
+    pub(super) fn session<'p, 's>(
         &'s self,
         request: &'s Request,
-        results: BTreeMap<super::key::Digest, Arc<super::store::trace::Head>>,
+        known: Known,
         declare: &dyn Fn(&mut Graph<'p>),
     ) -> Session<'p, 's> {
         Session::open(
@@ -275,133 +178,8 @@ impl Engine {
             &self.worktree,
             self.settings.build_id.as_deref(),
             request,
-            results,
+            known,
             declare,
         )
     }
-
-    /// Publishes what has a result. `None` if the directory is as recorded.
-    fn publish(
-        &self,
-        request: &Request,
-        session: &mut Session<'_, '_>,
-        conditions: &Conditions,
-        observe: &mut dyn FnMut(Event<'_>),
-    ) -> (Option<Outputs>, Publication) {
-        let directory = &self.settings.output;
-        let old = &self.worktree.outputs;
-        loop {
-            let publishers = session.publishers();
-            let standing: Vec<bool> = publishers
-                .iter()
-                .map(|one| {
-                    self.worktree.publication(&one.owner).is_some_and(|record| {
-                        record.output == one.output
-                            && inspect(directory, record, request.outputs).is_empty()
-                    })
-                })
-                .collect();
-            let gone: BTreeSet<&Instance> = old
-                .publications
-                .iter()
-                .map(|record| &record.owner)
-                .filter(|owner| session.is_whole() && !session.publishes(owner))
-                .collect();
-            let stands = standing.iter().all(|&stands| stands) && manifest_stands(directory, old);
-            if stands && gone.is_empty() {
-                let files = old.publications.iter().map(|one| one.files.len());
-                let publication = Publication {
-                    unchanged: files.sum(),
-                    ..Publication::default()
-                };
-                return (None, publication);
-            }
-            // A result that cannot be read any more has to be made again first.
-            let Some(claims) = self.claims(session, &publishers, &standing) else {
-                session.execute(conditions, observe);
-                if session.is_complete() && !session.is_unsettled() {
-                    continue;
-                }
-                return (None, Publication::default());
-            };
-            let claimed: BTreeSet<&Instance> = publishers.iter().map(|one| &*one.owner).collect();
-            let others = old
-                .publications
-                .iter()
-                .filter(|record| !claimed.contains(&record.owner) && !gone.contains(&record.owner));
-            let names = session.publisher_names();
-            let (outputs, publication) = Publishing {
-                directory,
-                claims,
-                others: others.cloned().collect(),
-                is_gone: &|owner| session.is_whole() && !names.contains(owner),
-                foreign: request.foreign,
-            }
-            .run();
-            return (Some(outputs), publication);
-        }
-    }
-
-    /// What the publishers have and want. `None` if some of them have to run again for that.
-    fn claims(
-        &self,
-        session: &mut Session<'_, '_>,
-        publishers: &[Publisher],
-        standing: &[bool],
-    ) -> Option<Vec<Claim>> {
-        let mut claims = Vec::new();
-        for (publisher, stands) in publishers.iter().zip(standing) {
-            let record = self.worktree.publication(&publisher.owner);
-            let files = match record.filter(|_| *stands) {
-                Some(record) => Some(Claimed::Standing(record.clone())),
-                None => session.demand(publisher.index).map(Claimed::Wanted),
-            };
-            claims.push(files.map(|files| Claim {
-                owner: publisher.owner.clone(),
-                output: publisher.output,
-                files,
-            }));
-        }
-        claims.into_iter().collect()
-    }
-
-    /// Keeps what the next build wants to know.
-    fn remember(
-        &mut self,
-        instances: Option<Vec<super::store::worktree::InstanceRecord>>,
-        outputs: Option<Outputs>,
-    ) -> Option<Diagnostic> {
-        let now = self.settings.clock.now();
-        let sources = self.sources != self.worktree.sources && !self.sources.is_empty();
-        let outputs_changed = outputs
-            .as_ref()
-            .is_some_and(|outputs| *outputs != self.worktree.outputs);
-        if instances.is_none() && !outputs_changed && !sources {
-            self.store.touch_worktree(&self.settings.output, now);
-            return None;
-        }
-        if let Some(instances) = instances {
-            retire(&self.store, &self.worktree, &instances, now);
-            self.worktree.instances = instances;
-        }
-        if let Some(outputs) = outputs {
-            self.worktree.outputs = outputs;
-        }
-        if sources {
-            self.worktree.sources.clone_from(&self.sources);
-        }
-        self.worktree.directory = self.settings.output.display().to_string();
-        self.store
-            .put_worktree(&self.settings.output, &self.worktree)
-            .err()
-            .map(|error| super::session::unwritable(&error.to_string()))
-    }
-}
-
-fn not_repeatable() -> Diagnostic {
-    Diagnostic::error(
-        Code::new("E0805"),
-        "a stage gives another result every time it runs",
-    )
-    .note("this is a defect of egg, not of the project")
 }

@@ -65,6 +65,19 @@ pub enum State {
     Skipped,
 }
 
+impl State {
+    /// One word for tables: `cached`, `run`, `maybe`, `failed`, `skipped`.
+    pub fn word(&self) -> &'static str {
+        match self {
+            Self::Cached => "cached",
+            Self::Run => "run",
+            Self::Maybe { .. } => "maybe",
+            Self::Failed => "failed",
+            Self::Skipped => "skipped",
+        }
+    }
+}
+
 impl Plan {
     /// Number of instances in this state.
     pub fn count(&self, state: fn(&State) -> bool) -> usize {

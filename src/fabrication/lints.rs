@@ -179,10 +179,10 @@ fn ends(lamellae: &[LamellaRecord]) -> Vec<Diagnostic> {
 
 /// The worst lamella of each section, the diameter of its widest opening and how many lamellae
 /// of the section are bad.
-fn worst<'a>(
-    lamellae: &'a [LamellaRecord],
+fn worst(
+    lamellae: &[LamellaRecord],
     badness: impl Fn(&LamellaRecord, f64) -> Option<f64>,
-) -> Vec<(&'a LamellaRecord, f64, usize)> {
+) -> Vec<(&LamellaRecord, f64, usize)> {
     let mut found: Vec<(&LamellaRecord, f64, f64, usize)> = Vec::new();
     for lamella in lamellae {
         let widest = lamella

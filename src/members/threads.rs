@@ -469,7 +469,7 @@ mod tests {
         (vec![moebius(0.8), moebius(1.0), moebius(1.3)], counts)
     }
 
-    fn passages<'a>(f: &'a [CladdingFunction], counts: [Option<u32>; 3]) -> Vec<Passage<'a>> {
+    fn passages(f: &[CladdingFunction], counts: [Option<u32>; 3]) -> Vec<Passage<'_>> {
         vec![
             Passage {
                 start: piece(0, 0.0, 1.0),

@@ -10,25 +10,25 @@ use std::time::Duration;
 
 /// What a designer edits.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Design {
-    pub mesh: Vec<f64>,
-    pub patches: Vec<Patch>,
-    pub width: f64,
-    pub modulus: f64,
-    pub price: f64,
-    pub kerf: f64,
+pub(crate) struct Design {
+    pub(crate) mesh: Vec<f64>,
+    pub(crate) patches: Vec<Patch>,
+    pub(crate) width: f64,
+    pub(crate) modulus: f64,
+    pub(crate) price: f64,
+    pub(crate) kerf: f64,
     /// How long each patch's maps take.
-    pub millis: u64,
+    pub(crate) millis: u64,
     /// Number of values of each map.
-    pub size: u32,
+    pub(crate) size: u32,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Patch {
-    pub name: String,
-    pub corner: f64,
+pub(crate) struct Patch {
+    pub(crate) name: String,
+    pub(crate) corner: f64,
     /// 13 fails, more than 20 warns.
-    pub members: u32,
+    pub(crate) members: u32,
 }
 
 impl Default for Design {
@@ -38,7 +38,7 @@ impl Default for Design {
 }
 
 impl Design {
-    pub fn with_patches(count: u32) -> Self {
+    pub(crate) fn with_patches(count: u32) -> Self {
         Self {
             mesh: (0..64).map(f64::from).collect(),
             patches: (0..count)
@@ -58,7 +58,7 @@ impl Design {
     }
 
     /// The whole graph.
-    pub fn declare<'p>(&'p self, g: &mut Graph<'p>) {
+    pub(crate) fn declare<'p>(&'p self, g: &mut Graph<'p>) {
         let surface = g.add(&SURFACE, "", self.mesh.clone(), ());
         g.origin(surface, "", "surface.mesh");
         let names: Vec<_> = self.patches.iter().map(|p| p.name.clone()).collect();
@@ -114,29 +114,29 @@ impl Design {
 }
 
 #[derive(Serialize)]
-pub struct Maps {
+pub(crate) struct Maps {
     corner: f64,
     size: u32,
     millis: u64,
 }
 
 #[derive(Serialize)]
-pub struct Count {
+pub(crate) struct Count {
     count: u32,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct Summary {
-    pub members: u32,
+pub(crate) struct Summary {
+    pub(crate) members: u32,
     /// Whole metres: a small move of a corner leaves it as it is.
-    pub metres: i64,
+    pub(crate) metres: i64,
 }
 
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
-pub struct PlanDocument {
-    pub width: f64,
-    pub members: Vec<Vec<f64>>,
-    pub warnings: Vec<String>,
+pub(crate) struct PlanDocument {
+    pub(crate) width: f64,
+    pub(crate) members: Vec<Vec<f64>>,
+    pub(crate) warnings: Vec<String>,
 }
 
 fn plain<T>(value: T) -> Warned<T> {
@@ -146,7 +146,7 @@ fn plain<T>(value: T) -> Warned<T> {
     }
 }
 
-pub const SURFACE: Stage<Vec<f64>, (), Vec<f64>> = Stage {
+pub(crate) const SURFACE: Stage<Vec<f64>, (), Vec<f64>> = Stage {
     name: "surface",
     version: 1,
     numerics: Numerics::Portable,
@@ -158,14 +158,14 @@ pub const SURFACE: Stage<Vec<f64>, (), Vec<f64>> = Stage {
     },
 };
 
-pub const LAYOUT: Stage<Vec<String>, Node<Vec<f64>>, Vec<String>> = Stage {
+pub(crate) const LAYOUT: Stage<Vec<String>, Node<Vec<f64>>, Vec<String>> = Stage {
     name: "layout",
     version: 1,
     numerics: Numerics::Portable,
     run: |names, _, _| Ok(plain(names.clone())),
 };
 
-pub const MAPS: Stage<Maps, Node<Vec<f64>>, Vec<f64>> = Stage {
+pub(crate) const MAPS: Stage<Maps, Node<Vec<f64>>, Vec<f64>> = Stage {
     name: "maps",
     version: 1,
     numerics: Numerics::Portable,
@@ -180,7 +180,7 @@ pub const MAPS: Stage<Maps, Node<Vec<f64>>, Vec<f64>> = Stage {
     },
 };
 
-pub const MEMBERS: Stage<Count, Node<Vec<f64>>, Vec<f64>> = Stage {
+pub(crate) const MEMBERS: Stage<Count, Node<Vec<f64>>, Vec<f64>> = Stage {
     name: "members",
     version: 1,
     numerics: Numerics::Portable,
@@ -200,7 +200,9 @@ pub const MEMBERS: Stage<Count, Node<Vec<f64>>, Vec<f64>> = Stage {
     },
 };
 
-pub const STATICS: Stage<f64, (Node<Vec<f64>>, Node<Vec<f64>>), f64> = Stage {
+type Values = Node<Vec<f64>>;
+
+pub(crate) const STATICS: Stage<f64, (Values, Values), f64> = Stage {
     name: "statics",
     version: 1,
     numerics: Numerics::Processor,
@@ -210,7 +212,7 @@ pub const STATICS: Stage<f64, (Node<Vec<f64>>, Node<Vec<f64>>), f64> = Stage {
     },
 };
 
-pub const SUMMARY: Stage<(), Node<Vec<f64>>, Summary> = Stage {
+pub(crate) const SUMMARY: Stage<(), Node<Vec<f64>>, Summary> = Stage {
     name: "summary",
     version: 1,
     numerics: Numerics::Portable,
@@ -222,7 +224,7 @@ pub const SUMMARY: Stage<(), Node<Vec<f64>>, Summary> = Stage {
     },
 };
 
-pub const DRAWING: Stage<(String, f64), (Node<Vec<f64>>, Node<f64>), Files> = Stage {
+pub(crate) const DRAWING: Stage<(String, f64), (Values, Node<f64>), Files> = Stage {
     name: "drawing",
     version: 1,
     numerics: Numerics::Portable,
@@ -234,7 +236,7 @@ pub const DRAWING: Stage<(String, f64), (Node<Vec<f64>>, Node<f64>), Files> = St
     },
 };
 
-pub const PLAN: Stage<f64, PlanNeeds, PlanDocument> = Stage {
+pub(crate) const PLAN: Stage<f64, PlanNeeds, PlanDocument> = Stage {
     name: "plan",
     version: 1,
     numerics: Numerics::Portable,
@@ -250,16 +252,16 @@ pub const PLAN: Stage<f64, PlanNeeds, PlanDocument> = Stage {
         }))
     },
 };
-type PlanNeeds = (Vec<Node<Vec<f64>>>, Vec<egg::build::Warnings>);
+type PlanNeeds = (Vec<Values>, Vec<egg::build::Warnings>);
 
-pub const PLAN_FILE: Stage<(), Node<PlanDocument>, Files> = Stage {
+pub(crate) const PLAN_FILE: Stage<(), Node<PlanDocument>, Files> = Stage {
     name: "plan-file",
     version: 1,
     numerics: Numerics::Portable,
     run: |(), plan, _| Ok(plain(Files::new().with("plan.txt", format!("{plan:?}\n")))),
 };
 
-pub const SHEETS: Stage<f64, Node<PlanDocument>, Files> = Stage {
+pub(crate) const SHEETS: Stage<f64, Node<PlanDocument>, Files> = Stage {
     name: "sheets",
     version: 1,
     numerics: Numerics::Portable,
@@ -274,15 +276,16 @@ pub const SHEETS: Stage<f64, Node<PlanDocument>, Files> = Stage {
     },
 };
 
-pub const BOM: Stage<f64, Vec<Node<Summary>>, Files> = Stage {
+pub(crate) const BOM: Stage<f64, Vec<Node<Summary>>, Files> = Stage {
     name: "bom",
     version: 1,
     numerics: Numerics::Portable,
     run: |price, summaries, _| {
-        let text: String = summaries
-            .iter()
-            .map(|one| format!("{};{};{}\n", one.members, one.metres, price))
+        let rows = summaries.iter();
+        let rows: Vec<String> = rows
+            .map(|one| format!("{};{};{price}\n", one.members, one.metres))
             .collect();
+        let text = rows.concat();
         Ok(plain(Files::new().with("bom.csv", text)))
     },
 };

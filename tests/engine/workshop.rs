@@ -6,13 +6,13 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-pub struct Workshop {
+pub(crate) struct Workshop {
     directory: tempfile::TempDir,
-    pub settings: Settings,
+    pub(crate) settings: Settings,
 }
 
 impl Workshop {
-    pub fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let directory = tempfile::tempdir().expect("a temporary directory");
         let mut settings =
             Settings::new(directory.path().join("cache"), directory.path().join("out"));
@@ -23,19 +23,19 @@ impl Workshop {
         }
     }
 
-    pub fn path(&self) -> &Path {
+    pub(crate) fn path(&self) -> &Path {
         self.directory.path()
     }
 
-    pub fn engine(&self) -> Engine {
+    pub(crate) fn engine(&self) -> Engine {
         Engine::open(self.settings.clone())
     }
 
-    pub fn build(&self, design: &Design) -> Built {
+    pub(crate) fn build(&self, design: &Design) -> Built {
         self.request(design, &Request::default())
     }
 
-    pub fn request(&self, design: &Design, request: &Request) -> Built {
+    pub(crate) fn request(&self, design: &Design, request: &Request) -> Built {
         let declare = |g: &mut _| design.declare(g);
         self.engine().build(
             request,
@@ -45,18 +45,18 @@ impl Workshop {
         )
     }
 
-    pub fn plan(&self, design: &Design) -> Plan {
+    pub(crate) fn plan(&self, design: &Design) -> Plan {
         self.engine()
             .plan(&Request::default(), &|g| design.declare(g))
     }
 
     /// The published files, without the manifest.
-    pub fn outputs(&self) -> BTreeMap<String, Vec<u8>> {
+    pub(crate) fn outputs(&self) -> BTreeMap<String, Vec<u8>> {
         files(&self.settings.output)
     }
 
     /// All files of the cache.
-    pub fn cache(&self) -> Vec<PathBuf> {
+    pub(crate) fn cache(&self) -> Vec<PathBuf> {
         files(&self.settings.cache)
             .into_keys()
             .map(|name| self.settings.cache.join(name))
@@ -65,14 +65,14 @@ impl Workshop {
 }
 
 /// What a clean build of the design publishes.
-pub fn clean(design: &Design) -> BTreeMap<String, Vec<u8>> {
+pub(crate) fn clean(design: &Design) -> BTreeMap<String, Vec<u8>> {
     let workshop = Workshop::new();
     workshop.build(design);
     workshop.outputs()
 }
 
 /// Instances that ran, in the graph's order.
-pub fn ran(built: &Built) -> Vec<String> {
+pub(crate) fn ran(built: &Built) -> Vec<String> {
     built
         .stages
         .iter()
@@ -81,7 +81,7 @@ pub fn ran(built: &Built) -> Vec<String> {
         .collect()
 }
 
-pub fn files(directory: &Path) -> BTreeMap<String, Vec<u8>> {
+pub(crate) fn files(directory: &Path) -> BTreeMap<String, Vec<u8>> {
     let mut found = BTreeMap::new();
     let mut folders = vec![directory.to_owned()];
     while let Some(folder) = folders.pop() {

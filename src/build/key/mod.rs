@@ -72,3 +72,6 @@ impl KeyParts<'_> {
         Digest::from_bytes(*hasher.finalize().as_bytes())
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -173,7 +173,10 @@ impl<'a> Reader<'a> {
                     Err(_) => format!("{} bytes #{}", bytes.len(), Digest::of(bytes).short()),
                 }
             }
-            b'S' => return self.tree(depth),
+            b'S' => match self.tree(depth)? {
+                Tree::Leaf(text) if text == "none" => "some none".to_owned(),
+                tree => return Some(tree),
+            },
             b'V' => {
                 let name = self.name()?;
                 return Some(match self.tree(depth)? {

@@ -10,15 +10,18 @@
 //! - Builds that publish to one directory take turns.
 //! - Names and contents depend on nothing but the results: no times, no order of events.
 
+mod claim;
 mod files;
 mod manifest;
 mod path;
 mod replace;
+mod stale;
 
+pub(super) use claim::{Claim, Claimed};
 pub use files::{Files, OutputFile};
 pub use manifest::MANIFEST;
 pub(super) use manifest::owner_name;
-pub(super) use replace::{Claim, Claimed, Publishing};
+pub(super) use replace::Publishing;
 
 use super::key::Digest;
 use super::reason::Reason;

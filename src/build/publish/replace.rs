@@ -1,35 +1,19 @@
 //! The replacement of published files, under the directory's lock.
 
-use super::super::declare::Instance;
 use super::super::key::Digest;
 use super::super::request::Foreign;
 use super::super::stamp::Stamp;
-use super::super::store::sealed::{Durability, TEMPORARY_PREFIX, replace};
+use super::super::store::sealed::{Durability, replace};
 use super::super::store::worktree::{FileRecord, Outputs, PublicationRecord};
+use super::Publication;
+use super::claim::{Claim, Claimed, refuse};
 use super::manifest::{MANIFEST, Manifest, owner_name};
-use super::path::{collisions, fault, folded};
-use super::{Files, Publication};
 use crate::diagnostics::{Code, Diagnostic};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
 use std::io;
 use std::path::Path;
-use std::sync::Arc;
 use std::time::Duration;
-
-/// What one instance has in the output directory, or wants there.
-pub(in crate::build) struct Claim {
-    pub(in crate::build) owner: Arc<Instance>,
-    pub(in crate::build) output: Digest,
-    pub(in crate::build) files: Claimed,
-}
-
-pub(in crate::build) enum Claimed {
-    /// They stand there already.
-    Standing(PublicationRecord),
-    /// To be written where they differ.
-    Wanted(Arc<Files>),
-}
 
 /// One publication.
 pub(in crate::build) struct Publishing<'a> {
@@ -69,7 +53,8 @@ impl Publishing<'_> {
         let before = fs::read_to_string(&path).unwrap_or_default();
         let old = Manifest::read(&before);
         self.sweep(&old);
-        let refused = self.refuse(&mut publication);
+        let refused = refuse(&self.claims, &mut publication);
+        self.clear_way(&old, &refused, &mut publication);
         let (actions, refused) = self.decide(&old, refused, &mut publication);
 
         // First say what may be there, then write, then say what is there: after a crash at any
@@ -104,44 +89,6 @@ impl Publishing<'_> {
         (self.record(&refused, &failed), publication)
     }
 
-    /// Owners with paths that cannot be: none of their files is touched.
-    fn refuse(&self, publication: &mut Publication) -> BTreeSet<usize> {
-        let mut refused = BTreeSet::new();
-        for (index, claim) in self.claims.iter().enumerate() {
-            for path in claim.paths() {
-                if let Some(fault) = fault(path) {
-                    refused.insert(index);
-                    publication.diagnostics.push(
-                        Diagnostic::error(
-                            Code::new("E0811"),
-                            format!("output path `{path}` {fault}"),
-                        )
-                        .note(format!("it is made by `{}`", claim.owner)),
-                    );
-                }
-            }
-        }
-        let paths = self
-            .claims
-            .iter()
-            .enumerate()
-            .flat_map(|(index, claim)| claim.paths().map(move |path| (path, index)));
-        for (path, owner, other, other_owner) in collisions(paths) {
-            refused.extend([owner, other_owner]);
-            let owner = &self.claims[owner].owner;
-            let other_owner = &self.claims[other_owner].owner;
-            publication.diagnostics.push(
-                Diagnostic::error(
-                    Code::new("E0812"),
-                    format!("outputs `{path}` and `{other}` exclude each other"),
-                )
-                .note(format!("they are made by `{owner}` and `{other_owner}`"))
-                .help("names that differ only in case need different names"),
-            );
-        }
-        refused
-    }
-
     /// Compares every wanted file with what is there.
     fn decide(
         &self,
@@ -154,6 +101,9 @@ impl Publishing<'_> {
             let Claimed::Wanted(files) = &claim.files else {
                 continue;
             };
+            if refused.contains(&index) {
+                continue;
+            }
             for file in files.iter() {
                 let action = match fs::read(self.directory.join(&file.path)) {
                     Ok(bytes) if bytes == file.bytes => Action::Keep,
@@ -210,84 +160,8 @@ impl Publishing<'_> {
         failed
     }
 
-    /// Removes what is left over, and returns what is there then.
-    fn remove_stale(
-        &self,
-        old: &Manifest,
-        refused: &BTreeSet<usize>,
-        failed: &BTreeSet<String>,
-        publication: &mut Publication,
-    ) -> Manifest {
-        let mut manifest = Manifest::default();
-        for (claim, file, digest) in self.wanted(refused) {
-            if failed.contains(&file.path) {
-                if let Some(written) = old.files.get(&file.path) {
-                    manifest.files.insert(file.path.clone(), written.clone());
-                }
-            } else {
-                manifest.add(&file.path, &owner_name(&claim.owner), digest);
-            }
-        }
-        for claim in &self.claims {
-            if let Claimed::Standing(record) = &claim.files {
-                for file in &record.files {
-                    manifest.add(&file.path, &owner_name(&claim.owner), file.content);
-                }
-            }
-        }
-        let standing: BTreeSet<String> = manifest.files.keys().map(|path| folded(path)).collect();
-        let settled: BTreeSet<String> = self
-            .claims
-            .iter()
-            .enumerate()
-            .filter(|(index, _)| !refused.contains(index))
-            .map(|(_, claim)| owner_name(&claim.owner))
-            .collect();
-        for (path, written) in &old.files {
-            if manifest.files.contains_key(path) {
-                continue;
-            }
-            let left_over = settled.contains(&written.owner) || (self.is_gone)(&written.owner);
-            // Where case does not tell files apart, the old name may be the new file.
-            if !left_over {
-                manifest.files.insert(path.clone(), written.clone());
-            } else if fault(path).is_none() && !standing.contains(&folded(path)) {
-                self.remove(path, written, publication);
-            }
-        }
-        manifest
-    }
-
-    fn remove(&self, path: &str, written: &super::manifest::Written, told: &mut Publication) {
-        let target = self.directory.join(path);
-        match fs::read(&target) {
-            Ok(bytes) if written.contents.contains(&Digest::of(&bytes)) => {
-                match fs::remove_file(&target) {
-                    Ok(()) => told.removed.push(path.to_owned()),
-                    Err(error) => told.diagnostics.push(unwritable(path, &error)),
-                }
-            }
-            Ok(_) => told.diagnostics.push(
-                Diagnostic::warning(
-                    Code::new("W0805"),
-                    format!("`{path}` is no longer made, but it had been edited; it stays"),
-                )
-                .help("remove it by hand, or keep it: egg leaves it alone from now on"),
-            ),
-            Err(_) => {}
-        }
-        // Folders that are empty now; the first that is not ends it.
-        let mut folder = target.parent();
-        while let Some(path) = folder
-            && path != self.directory
-            && fs::remove_dir(path).is_ok()
-        {
-            folder = path.parent();
-        }
-    }
-
     /// Files to be published, with owner and digest.
-    fn wanted<'s>(
+    pub(super) fn wanted<'s>(
         &'s self,
         refused: &'s BTreeSet<usize>,
     ) -> impl Iterator<Item = (&'s Claim, &'s super::OutputFile, Digest)> {
@@ -309,28 +183,6 @@ impl Publishing<'_> {
         let target = self.directory.join(path);
         let folder = target.parent().unwrap_or(self.directory);
         replace(&target, folder, &[bytes], Durability::Process)
-    }
-
-    /// Removes temporary files of builds that were killed while they published.
-    fn sweep(&self, old: &Manifest) {
-        let mut folders: BTreeSet<&Path> = BTreeSet::from([Path::new("")]);
-        let claimed = self.claims.iter().flat_map(Claim::paths);
-        folders.extend(
-            claimed
-                .chain(old.files.keys().map(String::as_str))
-                .filter_map(|path| Path::new(path).parent()),
-        );
-        for folder in folders {
-            let Ok(entries) = fs::read_dir(self.directory.join(folder)) else {
-                continue;
-            };
-            for entry in entries.flatten() {
-                let name = entry.file_name();
-                if name.to_string_lossy().starts_with(TEMPORARY_PREFIX) {
-                    fs::remove_file(entry.path()).ok();
-                }
-            }
-        }
     }
 
     fn record(&self, refused: &BTreeSet<usize>, failed: &BTreeSet<String>) -> Outputs {
@@ -375,19 +227,6 @@ impl Publishing<'_> {
     }
 }
 
-impl Claim {
-    fn is_empty(&self) -> bool {
-        self.paths().next().is_none()
-    }
-
-    fn paths(&self) -> Box<dyn Iterator<Item = &str> + '_> {
-        match &self.files {
-            Claimed::Standing(record) => Box::new(record.files.iter().map(|f| f.path.as_str())),
-            Claimed::Wanted(files) => Box::new(files.iter().map(|file| file.path.as_str())),
-        }
-    }
-}
-
 /// Builds that publish to one directory take turns; publishing is short. Where directories cannot
 /// be locked, or a process hangs while it publishes, this one goes on: every file is whole anyway.
 fn lock(directory: &Path) -> Option<File> {
@@ -407,7 +246,8 @@ fn foreign(path: &str) -> Diagnostic {
     Diagnostic::error(Code::new("E0813"), what).help("move it, or choose another output directory")
 }
 
-fn unwritable(path: &str, error: &io::Error) -> Diagnostic {
+/// Says that a file of the output directory could not be written.
+pub(super) fn unwritable(path: &str, error: &io::Error) -> Diagnostic {
     Diagnostic::error(
         Code::new("E0814"),
         format!("cannot write `{path}`: {error}"),

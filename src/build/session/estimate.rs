@@ -2,6 +2,7 @@
 //! that is left. Nothing here touches a result.
 
 use super::super::event::Tally;
+use super::super::store::worktree::InstanceRecord;
 use super::{Session, Status};
 use std::collections::BTreeMap;
 use std::time::Duration;
@@ -14,7 +15,7 @@ const UNKNOWN: Duration = Duration::from_millis(1);
 pub(super) struct Progress {
     finished: usize,
     known: usize,
-    /// Sum of the estimates of what is not finished.
+    /// Sum of the estimates of what is not finished, with what the last build had unfolded.
     left: Duration,
     /// Number of those without an estimate.
     unestimated: usize,
@@ -60,6 +61,16 @@ impl Session<'_, '_> {
                 }
             }
         }
+        if !self.graph.unfolds.is_empty() && self.request.is_whole() {
+            let undeclared = self.undeclared().map(|record| record.head.duration());
+            self.progress.left += undeclared.sum::<Duration>();
+        }
+    }
+
+    /// Instances of the last build that are not declared as long as the graph is not unfolded.
+    pub(super) fn undeclared(&self) -> impl Iterator<Item = &InstanceRecord> {
+        let records = self.worktree.instances.iter();
+        records.filter(|record| !self.names.contains_key(&record.instance))
     }
 
     /// Counts the instance as finished.

@@ -14,10 +14,8 @@ use super::super::reason::Reason;
 use super::super::stage::{CancelToken, Context};
 use super::super::store::Found;
 use super::super::store::lease::{Lease, Leased};
-use super::super::store::trace::Head;
-use super::worker::{Ending, Intake, Lost, Task};
+use super::worker::{Ending, Intake, Task};
 use super::{Observer, Session, Status, Supplies};
-use crate::diagnostics::{Code, Diagnostic};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, BinaryHeap};
 use std::sync::Arc;
@@ -53,13 +51,14 @@ struct Execution<'c> {
     receiver: Receiver<(usize, Ending)>,
 }
 
-struct Running {
-    key: Digest,
-    context: Arc<Context>,
+/// An instance that runs.
+pub(super) struct Running {
+    pub(super) key: Digest,
+    pub(super) context: Arc<Context>,
     /// What the context said when it was last asked.
     progress: (u64, u64),
     /// Instances with the same key: they take its result.
-    twins: Vec<usize>,
+    pub(super) twins: Vec<usize>,
 }
 
 /// An instance that another process computes.
@@ -306,82 +305,9 @@ impl Session<'_, '_> {
             .chain(execution.receiver.try_iter())
             .collect();
         for (index, ending) in ended {
-            self.ended(execution, index, ending);
-        }
-    }
-
-    fn ended(&mut self, execution: &mut Execution<'_>, index: usize, ending: Ending) {
-        let Some(running) = execution.running.remove(&index) else {
-            return;
-        };
-        match ending {
-            Ending::Settled { head, value, kept } => {
-                if let Err(error) = kept {
-                    self.memory_only = true;
-                    self.notice(unwritable(&error.to_string()));
-                }
-                self.compare(index, running.key, &head);
-                self.results.insert(running.key, head.clone());
-                self.entries[index].slot.lock().clone_from(&value);
-                self.entries[index].ran = Some(head.duration());
-                self.entries[index].head = Some(head.clone());
-                let status = if value.is_some() {
-                    Status::Ran
-                } else {
-                    Status::Failed
-                };
-                self.finish(index, status);
-                for twin in running.twins {
-                    self.entries[twin].slot.lock().clone_from(&value);
-                    self.found(twin, head.clone());
-                }
-                return;
+            if let Some(running) = execution.running.remove(&index) {
+                self.ended(running, index, ending);
             }
-            Ending::Passing(diagnostics) => {
-                self.entries[index].told = diagnostics;
-                self.entries[index].head = None;
-                self.finish(index, Status::Failed);
-            }
-            Ending::Cancelled => self.finish(index, Status::Stopped),
-            Ending::Lacking(lacking) => {
-                self.entries[index].status = Status::Due;
-                self.due.insert(index);
-                for (need, lost) in lacking {
-                    let reason = match lost {
-                        Lost::Missing => Reason::EntryMissing,
-                        Lost::Damaged(damage) => {
-                            self.damaged(&damage);
-                            Reason::EntryDamaged
-                        }
-                    };
-                    if self.entries[need].status.has_result() {
-                        self.mark_due(need, vec![reason]);
-                    }
-                }
-            }
-        }
-        self.due.extend(running.twins);
-    }
-
-    /// Compares a result that was made again with the one that was known.
-    fn compare(&mut self, index: usize, key: Digest, head: &Head) {
-        let forced = self.entries[index].reasons.contains(&Reason::Forced);
-        let known = match (&self.entries[index].head, forced) {
-            (Some(known), _) => known.digest(),
-            (None, true) => match self.look_up(key) {
-                Found::Whole(known) => known.digest(),
-                _ => return,
-            },
-            (None, false) => return,
-        };
-        if forced {
-            self.forced.insert(key);
-        }
-        if known != head.digest() {
-            let instance = self.declared(index).instance.clone();
-            self.notice(not_repeatable(&instance.to_string()));
-            // Others were looked up by the old result.
-            self.unsettled |= self.entries[index].head.is_some();
         }
     }
 
@@ -436,17 +362,4 @@ impl Session<'_, '_> {
             }
         }
     }
-}
-
-fn not_repeatable(instance: &str) -> Diagnostic {
-    let what = format!("`{instance}` gave another result for the same input");
-    Diagnostic::warning(Code::new("W0803"), what)
-        .note("this is a defect of egg, not of the project; the new result stands")
-}
-
-/// Says that results cannot be kept.
-pub(in crate::build) fn unwritable(error: &str) -> Diagnostic {
-    Diagnostic::warning(Code::new("W0802"), "the cache cannot be written")
-        .note(error)
-        .help("this build is complete, but the next one will compute its results again")
 }

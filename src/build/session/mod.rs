@@ -12,10 +12,13 @@
 //!
 //! An instance has a key as soon as all its dependencies have results, by look-up or by running.
 
+mod ended;
 mod estimate;
 mod execute;
+mod explain;
 mod outcome;
 mod planning;
+mod selection;
 mod settle;
 mod why;
 mod worker;
@@ -35,7 +38,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
-pub(super) use execute::{Conditions, unwritable};
+pub(super) use ended::unwritable;
+pub(super) use execute::Conditions;
 pub use outcome::BuiltStage;
 pub(super) use outcome::{Kept, Publisher, retire};
 pub(super) use settle::damage_notice;
@@ -47,7 +51,7 @@ pub(super) struct Session<'p, 's> {
     build_id: Option<&'s str>,
     request: &'s Request,
     graph: Graph<'p>,
-    entries: Vec<Entry>,
+    entries: Vec<Entry<'s>>,
     names: HashMap<Arc<super::declare::Instance>, usize>,
     /// Results known to the last build, by key.
     recorded: HashMap<Digest, usize>,
@@ -72,9 +76,18 @@ pub(super) struct Session<'p, 's> {
     scratch: Vec<u8>,
 }
 
+/// What one pass hands on to another over the same graph.
+#[derive(Default)]
+pub(super) struct Known {
+    results: BTreeMap<Digest, Arc<Head>>,
+    forced: BTreeSet<Digest>,
+}
+
 /// One instance.
-struct Entry {
+struct Entry<'s> {
     status: Status,
+    /// The instance as the last build knew it.
+    record: Option<&'s InstanceRecord>,
     wanted: bool,
     key: Option<Digest>,
     head: Option<Arc<Head>>,
@@ -125,7 +138,7 @@ impl Status {
     }
 }
 
-impl Entry {
+impl Entry<'_> {
     /// How it ended, if it has.
     fn how(&self) -> Option<How> {
         Some(match self.status {
@@ -159,7 +172,7 @@ impl<'p, 's> Session<'p, 's> {
         worktree: &'s Worktree,
         build_id: Option<&'s str>,
         request: &'s Request,
-        results: BTreeMap<Digest, Arc<Head>>,
+        known: Known,
         declare: &dyn Fn(&mut Graph<'p>),
     ) -> Self {
         let recorded = worktree
@@ -179,9 +192,9 @@ impl<'p, 's> Session<'p, 's> {
             entries: Vec::new(),
             names: HashMap::new(),
             recorded,
-            results,
+            results: known.results,
             agenda: BTreeSet::new(),
-            forced: BTreeSet::new(),
+            forced: known.forced,
             notices: Vec::new(),
             memory_only: false,
             unsettled: false,
@@ -207,10 +220,7 @@ impl<'p, 's> Session<'p, 's> {
             for &need in &needs {
                 self.entries[need].dependents.push(index);
             }
-            let estimate = self
-                .worktree
-                .instance(&declared.instance)
-                .map(|record| record.head.duration());
+            let record = self.worktree.instance(&declared.instance);
             self.entries.push(Entry {
                 status: Status::Waiting,
                 wanted: false,
@@ -223,7 +233,8 @@ impl<'p, 's> Session<'p, 's> {
                 dependents: Vec::new(),
                 open_dependents: 0,
                 ran: None,
-                estimate,
+                record,
+                estimate: record.map(|record| record.head.duration()),
                 urgency: Duration::ZERO,
             });
             let twin = self.names.insert(declared.instance.clone(), index);
@@ -267,11 +278,6 @@ impl<'p, 's> Session<'p, 's> {
 
     fn declared(&self, index: usize) -> &Declared {
         &self.graph.nodes[index]
-    }
-
-    /// The instance as the last build knew it.
-    fn record(&self, index: usize) -> Option<&'s InstanceRecord> {
-        self.worktree.instance(&self.graph.nodes[index].instance)
     }
 
     /// What came through a port, as far as keys go. `None` while it is not known.
@@ -328,3 +334,4 @@ const PANICKED: &str = "E0801";
 const NOT_CANONICAL: &str = "E0802";
 const DUPLICATE: &str = "E0803";
 const NOT_ENCODABLE: &str = "E0804";
+const SILENT: &str = "E0806";

@@ -10,9 +10,9 @@ use super::super::store::trace::Head;
 use super::super::store::worktree::{InstanceRecord, Worktree};
 use super::super::store::{Kind, Store};
 use super::worker::load;
-use super::{Session, Slot, Status};
+use super::{Known, Session, Slot, Status};
 use crate::diagnostics::Diagnostic;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 use std::time::{Duration, SystemTime};
 
@@ -58,8 +58,11 @@ impl Session<'_, '_> {
     }
 
     /// What is known by now, for another pass over the same graph.
-    pub(in crate::build) fn into_results(self) -> BTreeMap<Digest, Arc<Head>> {
-        self.results
+    pub(in crate::build) fn into_known(self) -> Known {
+        Known {
+            results: self.results,
+            forced: self.forced,
+        }
     }
 
     /// Whether nothing more has to run.
@@ -178,8 +181,7 @@ impl Session<'_, '_> {
             ) else {
                 continue;
             };
-            let instance = &self.declared(index).instance;
-            let old = self.worktree.instance(instance);
+            let old = entry.record;
             news |= old.is_none_or(|old| old.key != key || old.head != **head);
             met += usize::from(old.is_some());
             records.push((index, key, head));
@@ -218,7 +220,7 @@ impl Session<'_, '_> {
 
     /// Why the instance's result is what it is: the reasons of the build in which it changed last.
     fn changed_by(&self, index: usize, head: &Head) -> Vec<Reason> {
-        match self.record(index) {
+        match self.entries[index].record {
             Some(old) if old.head.digest() == head.digest() => old.changed_by.clone(),
             _ if !self.entries[index].reasons.is_empty() => self.entries[index].reasons.clone(),
             _ => self.why(index),

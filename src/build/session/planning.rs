@@ -65,14 +65,12 @@ impl Session<'_, '_> {
 
     /// Whether the instance has another key than in the last build.
     pub(super) fn has_moved(&self, index: usize) -> bool {
-        self.record(index).map(|record| record.key) != self.entries[index].key
+        self.entries[index].record.map(|record| record.key) != self.entries[index].key
     }
 
-    /// Instances of the last build that are not declared as long as the graph is not unfolded.
+    /// What may follow where the graph is not unfolded yet, going by the last build.
     fn expected(&self, open: &[Instance]) -> Vec<PlannedStage> {
-        let records = self.worktree.instances.iter();
-        let undeclared = records.filter(|record| !self.names.contains_key(&record.instance));
-        undeclared
+        self.undeclared()
             .map(|record| PlannedStage {
                 instance: record.instance.clone(),
                 state: State::Maybe {

@@ -10,6 +10,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 /// Of more changed fields than this, the rest is left out.
 const FIELDS_TOLD: usize = 20;
+/// The same for dependencies.
+const DEPENDENCIES_TOLD: usize = 50;
 
 impl Session<'_, '_> {
     /// The recipe of an instance, as far as its dependencies are known.
@@ -52,7 +54,7 @@ impl Session<'_, '_> {
     }
 
     fn changes(&self, index: usize, dependencies: Dependencies) -> Vec<Reason> {
-        let Some(record) = self.record(index) else {
+        let Some(record) = self.entries[index].record else {
             return vec![Reason::FirstBuild];
         };
         let Found::Whole(old) = self.store.trace(record.key) else {
@@ -138,6 +140,9 @@ fn ingredients(
     let gone = |one: &&Ingredient| !now.contains_key(&(one.from.clone(), one.port)) && is_gone(one);
     let mut told = BTreeSet::new();
     for one in new.iter().chain(old.iter().filter(gone)) {
+        if told.len() == DEPENDENCIES_TOLD {
+            break;
+        }
         let port = (one.from.clone(), one.port);
         let (old, new) = (before.get(&port).copied(), now.get(&port).copied());
         if old != new && told.insert(port) {

@@ -10,8 +10,8 @@ use super::super::store::lease::Lease;
 use super::super::store::sealed::Durability;
 use super::super::store::trace::{Head, Output, Trace};
 use super::super::store::{Damage, Found, Store};
-use super::{NOT_ENCODABLE, PANICKED, Slot, internal};
-use crate::diagnostics::Diagnostic;
+use super::{NOT_ENCODABLE, PANICKED, SILENT, Slot, internal};
+use crate::diagnostics::{Diagnostic, Severity};
 use std::any::Any;
 use std::io;
 use std::panic::{AssertUnwindSafe, catch_unwind};
@@ -95,7 +95,11 @@ impl Task {
         let elapsed = watch.elapsed();
         match outcome {
             Ok(made) => self.keep(made, elapsed),
-            Err(Failure::Errors(errors)) => {
+            Err(Failure::Errors(mut errors)) => {
+                if errors.iter().all(|one| one.severity != Severity::Error) {
+                    let what = format!("`{}` failed without saying why", self.name);
+                    errors.push(internal(SILENT, what));
+                }
                 let head = head(None, errors, elapsed);
                 let kept = self.record(&head, Durability::Process);
                 Ending::Settled {

@@ -238,12 +238,7 @@ impl Store {
 
     /// Removes what killed processes left, and old quarantine.
     fn sweep(&self, limits: &Limits, now: SystemTime) {
-        let limits = [
-            ("tmp", YOUTH),
-            // Nobody builds, so nobody holds a lease.
-            ("leases", Duration::ZERO),
-            ("quarantine", limits.age),
-        ];
+        let limits = [("tmp", YOUTH), ("quarantine", limits.age)];
         for (folder, limit) in limits {
             for (path, modified) in files_in(&self.root.join(folder)) {
                 if age(now, modified) >= limit {

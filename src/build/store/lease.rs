@@ -1,13 +1,12 @@
 //! Leases: of several processes that need the same result, one computes it.
 //!
-//! A lease is a file that is locked while its key is being computed. The system releases the lock
-//! when the process dies, whatever way it dies. Leases only save work: without them (read-only
-//! cache, a file system without locks, a holder that takes too long) two processes compute the
-//! same bytes and rename the same file into place.
+//! A lease is a lock on one of 256 files, chosen by the key; the file tells whose lock it is and
+//! for which key. The system releases the lock when the process dies, whatever way it dies. Two
+//! keys may meet at one file: whoever finds it locked for another key goes on without a lease.
 //!
-//! The file goes away with its lease. A process that had it open while it went away gets the lock
-//! of a file without a name, and a third process may make a new one: both look for the trace
-//! first, and if there is none, the worst is that both compute.
+//! Leases only save work: without them (read-only cache, a file system without locks, a holder
+//! that takes too long) two processes compute the same bytes and rename the same file into place.
+//! Locks belong to open files, not to processes, so builds of one process exclude each other too.
 
 use super::super::key::Digest;
 use super::Store;
@@ -25,29 +24,23 @@ pub(crate) enum Leased {
         /// Its process id, where it can be read.
         process: Option<u32>,
     },
-    /// There are no leases here; compute without.
+    /// There is no lease to be had; compute without.
     Unavailable,
 }
 
 /// The right to compute a key.
 #[derive(Debug)]
 pub(crate) struct Lease {
-    path: PathBuf,
     _file: File,
 }
 
-impl Drop for Lease {
-    fn drop(&mut self) {
-        // Removed while still locked: nobody can take it in between. What cannot be removed is
-        // left to the collector.
-        fs::remove_file(&self.path).ok();
-    }
-}
+/// Length of what a lease's file says: key, blank, process id, padding.
+const RECORD: usize = 80;
 
 impl Store {
     /// Asks for the lease of `key` without waiting.
     pub(crate) fn lease(&self, key: Digest) -> Leased {
-        let path = self.root.join("leases").join(key.to_hex());
+        let path = self.lease_path(key);
         let open = || {
             File::options()
                 .write(true)
@@ -67,19 +60,29 @@ impl Store {
         };
         match file.try_lock() {
             Ok(()) => {
-                // Only for the message of a process that waits.
-                let written = file
-                    .set_len(0)
-                    .and_then(|()| file.write_all(std::process::id().to_string().as_bytes()));
-                written.ok();
-                Leased::Held(Lease { path, _file: file })
+                let record = format!("{key} {}", std::process::id());
+                // Always the same length, so that the next holder overwrites all of it. Others
+                // wait for the lock itself where this cannot be written.
+                file.write_all(format!("{record:RECORD$}").as_bytes()).ok();
+                Leased::Held(Lease { _file: file })
             }
-            Err(TryLockError::WouldBlock) => Leased::Busy {
-                process: fs::read_to_string(&path)
-                    .ok()
-                    .and_then(|text| text.parse().ok()),
-            },
+            Err(TryLockError::WouldBlock) => {
+                let record = fs::read_to_string(&path).unwrap_or_default();
+                match record.split_once(' ') {
+                    Some((holder, _)) if Digest::from_hex(holder) != Some(key) => {
+                        Leased::Unavailable
+                    }
+                    Some((_, process)) => Leased::Busy {
+                        process: process.trim().parse().ok(),
+                    },
+                    None => Leased::Busy { process: None },
+                }
+            }
             Err(TryLockError::Error(_)) => Leased::Unavailable,
         }
+    }
+
+    fn lease_path(&self, key: Digest) -> PathBuf {
+        self.root.join("leases").join(&key.to_hex()[..2])
     }
 }

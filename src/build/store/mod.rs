@@ -2,10 +2,10 @@
 //!
 //! ```text
 //! <cache>/CACHEDIR.TAG          backup programs pass it by
-//! <cache>/v1/traces/ab/cdef…    one record a key: digest of the output, diagnostics, recipe
-//! <cache>/v1/blobs/ab/cdef…     one encoded output a digest
+//! <cache>/v1/traces/a/bcdef…    one record a key: digest of the output, diagnostics, recipe
+//! <cache>/v1/blobs/a/bcdef…     one encoded output a digest
 //! <cache>/v1/worktrees/ab…      one record an output directory: the instances of its last build
-//! <cache>/v1/leases/cdef…       one locked file a key that is being computed
+//! <cache>/v1/leases/ab          locked while a key that begins like this is computed
 //! <cache>/v1/quarantine/        damaged files, set aside
 //! <cache>/v1/tmp/               files that are being written
 //! <cache>/v1/lock               shared by builds, exclusive for the collector
@@ -35,6 +35,9 @@ use trace::{Output, Trace};
 const BLOB: Magic = Magic(*b"eggblob1");
 const TRACE: Magic = Magic(*b"eggtrce1");
 const VERSION_DIRECTORY: &str = "v1";
+/// Digits of a digest that make a folder: enough that folders stay quick to list, few enough that
+/// a new cache does not spend its time on making them.
+const SHARD: usize = 1;
 
 /// A cache directory.
 #[derive(Debug)]
@@ -123,7 +126,7 @@ impl Store {
 
     /// Whether the output can be read, as far as can be told without reading it.
     pub(crate) fn holds(&self, output: &Output) -> bool {
-        output.inline.is_some() || self.entry(Kind::Blob, output.digest).is_file()
+        output.inline.is_some() || self.entry(Kind::Blob, output.digest).exists()
     }
 
     pub(crate) fn put_trace(&self, trace: &Trace, durability: Durability) -> io::Result<()> {
@@ -194,7 +197,7 @@ impl Store {
 
     fn entry(&self, kind: Kind, digest: Digest) -> PathBuf {
         let hex = digest.to_hex();
-        let (shard, name) = hex.split_at(2);
+        let (shard, name) = hex.split_at(SHARD);
         let mut path = self.root.join(kind.folder());
         path.push(shard);
         path.push(name);

@@ -48,7 +48,7 @@ pub(crate) struct InstanceRecord {
 pub(crate) struct Outputs {
     /// The manifest's stamp.
     pub(crate) manifest: Option<Stamp>,
-    /// One record an instance that publishes.
+    /// One record an instance that publishes, sorted by its name.
     pub(crate) publications: Vec<PublicationRecord>,
 }
 
@@ -89,10 +89,11 @@ impl Worktree {
 
     /// The record of what `owner` published.
     pub(crate) fn publication(&self, owner: &Instance) -> Option<&PublicationRecord> {
-        self.outputs
-            .publications
-            .iter()
-            .find(|publication| publication.owner == *owner)
+        let publications = &self.outputs.publications;
+        let index = publications
+            .binary_search_by(|publication| publication.owner.cmp(owner))
+            .ok()?;
+        publications.get(index)
     }
 }
 
@@ -107,15 +108,17 @@ impl Store {
         }
     }
 
-    pub(crate) fn put_worktree(&self, directory: &Path, worktree: &Worktree) -> io::Result<()> {
+    /// Keeps the record, in use since `now`.
+    pub(crate) fn put_worktree(
+        &self,
+        directory: &Path,
+        worktree: &Worktree,
+        now: SystemTime,
+    ) -> io::Result<()> {
         let payload = postcard::to_stdvec(worktree).map_err(io::Error::other)?;
-        self.write(
-            &self.worktree_path(directory),
-            WORKTREE,
-            &payload,
-            Durability::Process,
-        )?;
-        Ok(())
+        let path = self.worktree_path(directory);
+        self.write(&path, WORKTREE, &payload, Durability::Process)?;
+        File::options().append(true).open(path)?.set_modified(now)
     }
 
     /// Says that everything the record lists is in use, once an hour.

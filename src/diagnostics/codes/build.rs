@@ -45,6 +45,13 @@ pub(super) const CODES: &[CodeInfo] = &[
                defect of egg (or of the computer's memory), not of the project.",
     },
     CodeInfo {
+        code: "E0806",
+        name: "failed-silently",
+        title: "a stage failed without saying why",
+        text: "A part of egg has no result for its input and gave no reason. This is a defect of \
+               egg, not of the project: every failure names what to change.",
+    },
+    CodeInfo {
         code: "E0807",
         name: "source-unreadable",
         title: "an input file cannot be read",

@@ -96,7 +96,7 @@ with the project.",
     },
     CodeInfo {
         code: "E0707",
-        name: "unknown-bolt",
+        name: "bolt-series",
         title: "no standard series for this bolt",
         text: "The bill of materials picks bolt lengths, nuts and washers from the metric \
 series M2, M2.5, M3, M4, M5, M6, M8, M10 and M12 (ISO 7380, DIN 985, ISO 7093). Choose one of them.",
