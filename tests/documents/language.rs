@@ -1,7 +1,7 @@
 //! The reference of the language.
 
 use crate::current;
-use crate::tables::Schema;
+use crate::tables::{Schema, fields};
 use egg::project::materials;
 use egg::project::{Notation, load};
 use std::fmt::Write;
@@ -12,7 +12,7 @@ const PAGE: &str = "docs/project-file.md";
 fn the_page_on_the_language_has_every_key() {
     let schema = Schema::new(&egg::project::schema());
     let page = current::read(PAGE);
-    for section in schema.fields(schema.root()) {
+    for section in fields(schema.root()) {
         let heading = format!("\n## {}", section.name);
         assert!(page.contains(&heading), "no section `{}`", section.name);
     }

@@ -1,8 +1,10 @@
-//! Links of the documents lead somewhere.
+//! The README tells every command, and links of documents lead somewhere.
 
 use crate::current;
+use egg::project::{Notation, load};
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::process::Command;
 
 /// All Markdown files that belong to the project.
 fn documents() -> Vec<PathBuf> {
@@ -48,6 +50,43 @@ fn links_of_documents_lead_somewhere() {
         }
     }
     assert!(broken.is_empty(), "{broken:#?}");
+}
+
+#[test]
+fn the_readme_has_every_command() {
+    let help = Command::new(env!("CARGO_BIN_EXE_egg"))
+        .arg("--help")
+        .output()
+        .expect("egg runs");
+    let help = String::from_utf8(help.stdout).expect("help is text");
+    let commands: Vec<&str> = help
+        .lines()
+        .skip_while(|line| *line != "Commands:")
+        .skip(1)
+        .take_while(|line| !line.is_empty())
+        .filter_map(|line| line.strip_prefix("  "))
+        .filter(|line| !line.starts_with(' '))
+        .filter_map(|line| line.split_whitespace().next())
+        .filter(|name| *name != "help")
+        .collect();
+    assert!(commands.contains(&"build"), "{help}");
+    let readme = current::read("README.md");
+    for name in commands {
+        assert!(readme.contains(&format!("| `egg {name}")), "egg {name}");
+    }
+}
+
+#[test]
+fn the_example_of_the_readme_is_a_project() {
+    let readme = current::read("README.md");
+    let (_, after) = readme.split_once("```toml\n").expect("an example");
+    let (example, _) = after.split_once("```").expect("an example ends");
+    let loaded = load(example, Notation::Toml, "example");
+    assert!(
+        loaded.project.is_some() && loaded.diagnostics.is_empty(),
+        "{:#?}",
+        loaded.diagnostics
+    );
 }
 
 /// Targets of links and pictures inside the checkout.

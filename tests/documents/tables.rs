@@ -32,37 +32,10 @@ impl Schema {
         &self.0["definitions"][name]
     }
 
-    /// The definition that a value is of, where it is one's.
-    pub(crate) fn reference<'s>(&self, schema: &'s Value) -> Option<&'s str> {
-        let direct = schema["$ref"].as_str();
-        let wrapped = || schema["allOf"][0]["$ref"].as_str();
-        direct
-            .or_else(wrapped)
-            .and_then(|path| path.strip_prefix("#/definitions/"))
-    }
-
-    /// Fields of an object.
-    pub(crate) fn fields<'s>(&self, object: &'s Value) -> Vec<Field<'s>> {
-        let required: Vec<&str> = object["required"].as_array().map_or_else(Vec::new, |list| {
-            list.iter().filter_map(Value::as_str).collect()
-        });
-        object["properties"]
-            .as_object()
-            .map_or_else(Vec::new, |map| {
-                map.iter()
-                    .map(|(name, schema)| Field {
-                        name,
-                        schema,
-                        required: required.contains(&name.as_str()),
-                    })
-                    .collect()
-            })
-    }
-
     /// `| key | takes | default | meaning |` for the fields of an object.
     pub(crate) fn settings(&self, object: &Value) -> String {
         let mut text = String::from("| key | takes | default | |\n|---|---|---|---|\n");
-        for field in self.fields(object) {
+        for field in fields(object) {
             let (meaning, default) = meaning(field.schema);
             let default = match default {
                 Some(default) => default,
@@ -83,7 +56,7 @@ impl Schema {
     /// `| field | holds | meaning |` for the fields of a record.
     pub(crate) fn record(&self, object: &Value) -> String {
         let mut text = String::from("| field | holds | |\n|---|---|---|\n");
-        for field in self.fields(object) {
+        for field in fields(object) {
             let (meaning, _) = meaning(field.schema);
             let _ = writeln!(
                 text,
@@ -97,8 +70,11 @@ impl Schema {
 
     /// What kind of value a schema describes, with its range.
     fn takes(&self, schema: &Value) -> String {
-        if let Some(name) = self.reference(schema) {
+        if let Some(name) = reference(schema) {
             return self.named(name);
+        }
+        if schema["type"] == "integer" && schema["enum"].is_array() {
+            return words_of(schema).join(" or ");
         }
         if schema["enum"].is_array() || schema["oneOf"].is_array() || schema["const"].is_string() {
             return "one of the words".to_owned();
@@ -167,32 +143,69 @@ impl Schema {
                 format!("{} numbers", schema["items"].as_array().map_or(0, Vec::len))
             }
             "array" => {
-                let (low, high) = (&schema["minItems"], &schema["maxItems"]);
-                let count = match (low.as_u64(), high.as_u64()) {
-                    (Some(low), Some(high)) if low == high => format!("{low} of "),
-                    (Some(0), Some(high)) => format!("at most {high} of "),
-                    (Some(low), Some(high)) => format!("{low} to {high} of "),
-                    _ => "list of ".to_owned(),
-                };
-                format!("{count}{}", self.takes(&schema["items"]))
-            }
-            "object" => match &schema["additionalProperties"] {
-                Value::Object(_) => format!(
-                    "table of names to {}",
-                    self.takes(&schema["additionalProperties"])
-                ),
-                _ => {
-                    let names: Vec<String> = self
-                        .fields(schema)
-                        .iter()
-                        .map(|field| format!("`{}`", field.name))
-                        .collect();
-                    format!("table of {}", names.join(", "))
+                let bound = |key: &str| schema[key].as_u64();
+                let items = self.takes(&schema["items"]);
+                match (bound("minItems"), bound("maxItems")) {
+                    (Some(low), Some(high)) if low == high => several(low, &items),
+                    (Some(0), Some(high)) => format!("at most {high} of {items}"),
+                    (Some(low), Some(high)) => format!("{low} to {high} of {items}"),
+                    _ => format!("list of {items}"),
                 }
-            },
+            }
+            "object" if schema["additionalProperties"].is_object() => format!(
+                "table of names to {}",
+                self.takes(&schema["additionalProperties"])
+            ),
+            "object" => {
+                let names: Vec<String> = fields(schema)
+                    .iter()
+                    .map(|field| format!("`{}`", field.name))
+                    .collect();
+                format!("table of {}", names.join(", "))
+            }
             other => other.to_owned(),
         }
     }
+}
+
+/// The definition that a value is of, where it is one's.
+fn reference(schema: &Value) -> Option<&str> {
+    let direct = schema["$ref"].as_str();
+    let wrapped = || schema["allOf"][0]["$ref"].as_str();
+    direct
+        .or_else(wrapped)
+        .and_then(|path| path.strip_prefix("#/definitions/"))
+}
+
+/// Fields of an object.
+pub(crate) fn fields(object: &Value) -> Vec<Field<'_>> {
+    let required: Vec<&str> = object["required"].as_array().map_or_else(Vec::new, |list| {
+        list.iter().filter_map(Value::as_str).collect()
+    });
+    object["properties"]
+        .as_object()
+        .map_or_else(Vec::new, |map| {
+            map.iter()
+                .map(|(name, schema)| Field {
+                    name,
+                    schema,
+                    required: required.contains(&name.as_str()),
+                })
+                .collect()
+        })
+}
+
+/// A fixed number of things.
+fn several(count: u64, items: &str) -> String {
+    if items.starts_with(|c: char| c.is_ascii_digit()) {
+        return format!("{count} x {items}");
+    }
+    for word in ["whole number", "number", "text", "length"] {
+        if let Some(range) = items.strip_prefix(word) {
+            return format!("{count} {word}s{range}");
+        }
+    }
+    format!("{count} of {items}")
 }
 
 fn has_fields(definition: &Value) -> bool {
@@ -231,7 +244,13 @@ fn range(schema: &Value) -> String {
     let parts: Vec<String> = [low, high]
         .into_iter()
         .flatten()
-        .map(|(bound, sign)| format!("{sign} {bound}"))
+        .map(|(bound, sign)| {
+            if bound > 0.0 && bound < 1e-3 {
+                format!("{sign} {bound:e}")
+            } else {
+                format!("{sign} {bound}")
+            }
+        })
         .collect();
     if parts.is_empty() {
         String::new()
@@ -274,8 +293,10 @@ fn sentences(text: &str) -> Vec<&str> {
 fn words(schema: &Value) -> String {
     let Some(forms) = schema["oneOf"].as_array() else {
         return match schema["enum"].as_array() {
-            Some(_) => format!(" Words: {}.", words_of(schema).join(", ")),
-            None => String::new(),
+            Some(words) if words.iter().all(Value::is_string) => {
+                format!(" Words: {}.", words_of(schema).join(", "))
+            }
+            _ => String::new(),
         };
     };
     let mut text = String::new();

@@ -3,8 +3,8 @@
 use super::{judged, plain};
 use crate::build::{Failure, Node, Numerics, Stage};
 use crate::cladding::{
-    AngleChoice, Clad, Demands, DistanceTable, Maps, SAMPLES, choose_angle, clad,
-    distance_table, explain,
+    AngleChoice, Clad, Demands, DistanceTable, Maps, SAMPLES, choose_angle, clad, distance_table,
+    explain,
 };
 use crate::diagnostics::codes::cladding as codes;
 use crate::diagnostics::{Code, Diagnostic};
