@@ -7,7 +7,8 @@
 //! one with the smallest area, which is also the one that differs most from the deployed state
 //! (paper, section 4.2).
 
-use super::{CladdingFunction, DistanceTable, PlanarQuad, SideLengths, TraceFailure, trace};
+use super::{CladdingFunction, DistanceTable, PlanarQuad, TraceFailure, trace};
+use crate::layout::SideLengths;
 use crate::project::model::Family;
 use serde::{Deserialize, Serialize};
 

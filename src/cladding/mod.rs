@@ -1,4 +1,13 @@
-//! Cladding.
+//! Cladding: which places on opposite sides of a patch are as far apart on the surface as in the
+//! plane.
+//!
+//! | step | by |
+//! |---|---|
+//! | exact distances between opposite sides, interpolated | [`distance_table`], [`DistanceTable`] |
+//! | the flat quadrilateral with one free angle | [`PlanarQuad`] |
+//! | the arc of equal distances | [`trace`], [`CladdingFunction`] |
+//! | the angle: feasible intervals and the most compact plan | [`choose_angle`], [`clad`] |
+//! | why there is none, in words | [`explain`] |
 
 mod angle;
 mod explain;
@@ -14,6 +23,6 @@ pub use angle::{
 pub use explain::explain;
 pub use function::CladdingFunction;
 pub use maps::{SAMPLES, distance_table};
-pub use planar::{PlanarQuad, Point2, SideLengths};
+pub use planar::{PlanarQuad, Point2};
 pub use table::{DistanceTable, nodes};
 pub use trace::{TraceFailure, trace};

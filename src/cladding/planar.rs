@@ -1,6 +1,7 @@
 //! The planar patch: a convex quadrilateral with straight sides as long as those of the surface
 //! patch. One angle is free.
 
+use crate::layout::SideLengths;
 use crate::project::model::Family;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::PI;
@@ -8,30 +9,7 @@ use std::f64::consts::PI;
 /// A point in the plane, metres.
 pub type Point2 = nalgebra::Point2<f64>;
 
-/// Lengths of the sides of a patch with corners A, B, C, D in order, metres.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
-pub struct SideLengths {
-    /// A to B: where the u-family starts.
-    pub ab: f64,
-    /// B to C: where the v-family ends.
-    pub bc: f64,
-    /// C to D: where the u-family ends.
-    pub cd: f64,
-    /// D to A: where the v-family starts.
-    pub da: f64,
-}
-
 impl SideLengths {
-    /// The four lengths in the order AB, BC, CD, DA.
-    pub fn to_array(self) -> [f64; 4] {
-        [self.ab, self.bc, self.cd, self.da]
-    }
-
-    /// The longest side, metres.
-    pub fn longest(self) -> f64 {
-        self.to_array().into_iter().fold(0.0, f64::max)
-    }
-
     /// Open interval of the angle at A, radians, for which the planar quadrilateral exists and
     /// is convex (method notes, section 3); `None` when there is none.
     pub fn convex_range(self) -> Option<(f64, f64)> {

@@ -144,8 +144,9 @@ impl Gap<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::{SideLengths, nodes};
+    use super::super::nodes;
     use super::*;
+    use crate::layout::SideLengths;
     use proptest::prelude::*;
 
     /// A table of a plane quadrilateral with its own angle at A.

@@ -1,7 +1,6 @@
 //! The domain of a patch: the mesh that it is solved on and its four sides.
 
-use super::Side;
-use crate::cladding::SideLengths;
+use super::{Side, SideLengths};
 use crate::geodesic::angle_between;
 use crate::project::model::Family;
 use crate::surface::{Mesh, SubMesh, SurfacePoint};

@@ -1,4 +1,12 @@
-//! Members: even distribution over the sides that a family crosses, exact refinement.
+//! Members: where the curves of the grid begin, and the exact geodesics that they are.
+//!
+//! | step | in |
+//! |---|---|
+//! | members that are given by corners, followed through all patches; lanes between them | [`threads`] |
+//! | free members of a lane, evenly over all sides that it crosses | [`distribution`] |
+//! | both together: the schedule of a strip | [`schedule`] |
+//! | one member made exact: as long on the surface as in the plane | [`refine`] |
+//! | all members of a strip, each starting where the one before it ends | [`weave`] |
 
 pub mod distribution;
 mod member;

@@ -3,13 +3,13 @@
 use super::{judged, plain};
 use crate::build::{Failure, Node, Numerics, Stage};
 use crate::cladding::{
-    AngleChoice, Clad, Demands, DistanceTable, Maps, SAMPLES, SideLengths, choose_angle, clad,
-    distance_table, explain,
+    AngleChoice, Clad, Demands, DistanceTable, Maps, SAMPLES, choose_angle, clad, distance_table,
+    explain,
 };
 use crate::diagnostics::codes::cladding as codes;
 use crate::diagnostics::{Code, Diagnostic};
 use crate::geodesic::GeodesicError;
-use crate::layout::Domain;
+use crate::layout::{Domain, SideLengths};
 use crate::project::model::Family;
 use crate::splitting::{Feasibility, feasibility, judge};
 use crate::surface::{Curvature, SurfaceMesh};
