@@ -3,28 +3,168 @@
 use crate::conditions;
 use crate::program::{Workshop, files};
 use crate::{PROJECTS, root};
-use egg::plan::{from_ron, to_json};
+use egg::plan::{Plan, from_ron, to_json, to_ron};
+use egg::project::model::Project;
 use egg::project::{Notation, load};
+use std::collections::BTreeMap;
 use std::fs;
+use std::path::Path;
 
-/// Builds a project with a fresh cache; gives the files that were written.
-fn built(shop: &Workshop, project: &str, name: &str, jobs: &str) -> Vec<(String, Vec<u8>)> {
-    let project = root(project);
-    let (cache, out) = (format!("{name}-cache"), format!("{name}-out"));
+/// Files of a build by name.
+type Built = BTreeMap<String, Vec<u8>>;
+
+/// Builds a project and looks at what is said; gives what is there afterwards.
+fn build(shop: &Workshop, project: &Path, [cache, out, jobs]: [&str; 3], finished: &str) -> Built {
+    let project = project.to_string_lossy();
     let ran = shop
         .egg(&[
             "build",
-            &project.to_string_lossy(),
+            &project,
             "--cache-dir",
-            &cache,
+            cache,
             "--out",
-            &out,
+            out,
             "--jobs",
             jobs,
         ])
         .expect(0);
     assert_eq!(ran.out, "");
+    assert_eq!(ran.err.lines().count(), 1, "{}", ran.err);
     assert!(ran.err.trim_start().starts_with("Finished "), "{}", ran.err);
-    assert_eq!(ran.err.lines().count(), 1, "nothing else is said");
-    files(&shop.path(&out)).into_iter().collect()
+    assert!(ran.err.contains(finished), "{}", ran.err);
+    let mut found = files(&shop.path(out));
+    assert!(found.remove(".egg-manifest").is_some());
+    found
+}
+
+/// Names of files of which two builds have other contents, or which only one has.
+fn differing<'a>(a: &'a Built, b: &'a Built) -> Vec<&'a str> {
+    let names = a.keys().chain(b.keys());
+    names
+        .filter(|name| a.get(*name) != b.get(*name))
+        .map(String::as_str)
+        .collect()
+}
+
+fn model(project: &Path) -> Project {
+    let text = fs::read_to_string(project).expect("a project file");
+    let loaded = load(&text, Notation::Toml, "x");
+    assert_eq!(loaded.diagnostics, []);
+    loaded.project.expect("no errors")
+}
+
+fn plan_of(built: &Built) -> Plan {
+    let text = String::from_utf8(built["plan.ron"].clone()).expect("UTF-8");
+    let plan = from_ron(&text).expect("a plan");
+    assert_eq!(to_ron(&plan), text, "what is read is what was written");
+    plan
+}
+
+/// Everything that the program promises about a project, with one thread and with two, and with
+/// what is already in the cache.
+fn prove(name: &str) {
+    let project = root(name);
+    let shop = Workshop::new();
+    let first = build(&shop, &project, ["one", "out-one", "1"], " 0 cached");
+    let stamp = |name: &str| fs::metadata(shop.path(name)).and_then(|m| m.modified());
+    let written = stamp("out-one/plan.ron").expect("a time");
+
+    let two_threads = build(&shop, &project, ["two", "out-two", "2"], " 0 cached");
+    assert_eq!(differing(&first, &two_threads), [""; 0]);
+    let stages = format!("({0} stages, {0} cached)", stages(&shop, &project));
+    let again = build(&shop, &project, ["one", "out-one", "2"], &stages);
+    assert_eq!(differing(&first, &again), [""; 0]);
+    assert_eq!(stamp("out-one/plan.ron").expect("a time"), written);
+    let elsewhere = build(&shop, &project, ["two", "out-three", "1"], "files written");
+    assert_eq!(differing(&first, &elsewhere), [""; 0]);
+
+    let plan = plan_of(&first);
+    let with = |command: &[&str]| {
+        let project = project.to_string_lossy();
+        let more = ["--cache-dir", "one", &project];
+        shop.egg(&[command, &more].concat()).expect(0)
+    };
+    let exported = with(&["export", "--format", "json"]);
+    assert_eq!(
+        (exported.out, exported.err),
+        (to_json(&plan), String::new())
+    );
+    let exported = with(&["export", "--format", "ron"]);
+    assert!(exported.out.as_bytes() == first["plan.ron"].as_slice());
+    let checked = with(&["check"]);
+    assert_eq!(checked.out, "");
+    assert_eq!(checked.err, format!("     Checked {}\n", plan.name));
+
+    let model = model(&project);
+    assert_eq!(plan.diagnostics, []);
+    assert_eq!(plan.patches.len(), model.patches.len());
+    assert!(plan.patches.iter().all(|patch| patch.feasible));
+    let bolt = model.hardware.bolt.diameter;
+    let slider = model.hardware.shell.map_or(bolt, |shell| shell.diameter);
+    let play = model.fabrication.clearance;
+    conditions::hold(&plan, model.split.slope, bolt + play, slider + play);
+}
+
+/// How many stages a build has.
+fn stages(shop: &Workshop, project: &Path) -> usize {
+    let project = project.to_string_lossy();
+    let arguments = ["build", &project, "--dry-run", "--cache-dir", "none"];
+    let told = shop.egg(&arguments).expect(0).out;
+    told.lines().filter(|l| l.starts_with("     run ")).count()
+}
+
+#[test]
+fn the_desktop_model_keeps_every_promise() {
+    prove(PROJECTS[0]);
+}
+
+#[test]
+fn the_saddle_keeps_every_promise() {
+    prove(PROJECTS[1]);
+}
+
+#[test]
+fn the_sphere_cap_keeps_every_promise() {
+    prove(PROJECTS[2]);
+}
+
+#[test]
+fn patches_that_share_sides_keep_every_promise() {
+    prove(PROJECTS[3]);
+}
+
+/// Copies a project file and its mesh, with another text in it.
+fn edited(shop: &Workshop, name: &str, from: &str, to: &str) -> std::path::PathBuf {
+    let project = root(name);
+    let mesh = model(&project).surface.mesh;
+    let folder = project.parent().expect("a folder");
+    let bytes = fs::read(folder.join(&mesh)).expect("a mesh");
+    shop.write(&mesh, bytes);
+    let text = fs::read_to_string(&project).expect("a project file");
+    assert!(text.contains(from));
+    shop.write("edited.toml", text.replacen(from, to, 1))
+}
+
+/// What is read back from the cache has to be what was computed, to the last bit: here every kind
+/// of result is read back by one of the edits.
+#[test]
+fn a_build_after_an_edit_writes_what_a_clean_build_writes() {
+    let shop = Workshop::new();
+    let name = PROJECTS[3];
+    build(&shop, &root(name), ["warm", "first", "2"], " 0 cached");
+    for (i, (from, to)) in [
+        ("bolt = \"M3\"", "bolt = \"M3\"\nshell = \"brass 4x0.45\""),
+        ("length = 1000", "length = 990"),
+        ("width = 10", "width = 9"),
+        ("slope = [", "eta_max = 1.01\nslope = ["),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        let project = edited(&shop, name, from, to);
+        let (clean, out) = (format!("clean-{i}"), format!("out-{i}"));
+        let warm = build(&shop, &project, ["warm", "warm-out", "2"], " cached");
+        let clean = build(&shop, &project, [&clean, &out, "2"], " 0 cached");
+        assert_eq!(differing(&warm, &clean), [""; 0], "{to}");
+    }
 }

@@ -91,12 +91,12 @@ fn pairs_cross_once(plan: &Plan) {
         let [[on_u, on_v]] = met[..] else {
             panic!("{id}: the members meet at {met:?}")
         };
-        let near = 6.0 * PLACE / record.angle_surface.to_radians().sin();
+        let near = 6.0 * PLACE / libm::sin(record.angle_surface.to_radians());
         assert!((on_u - record.on_u.surface).abs() < near, "{id}: {on_u}");
         assert!((on_v - record.on_v.surface).abs() < near, "{id}: {on_v}");
 
         let shares = crossing(u.planar, v.planar).expect("members are not parallel");
-        let near = 6.0 * PLACE / record.angle_planar.to_radians().sin();
+        let near = 6.0 * PLACE / libm::sin(record.angle_planar.to_radians());
         for (share, member, on) in [(shares.x, u, record.on_u), (shares.y, v, record.on_v)] {
             let at = share * member.length_planar;
             assert!((at - on.planar).abs() < near, "{id}: {at}");
@@ -124,7 +124,10 @@ fn members_continue(plan: &Plan) {
                 .filter(|m| m.family == family)
                 .map(|m| Polyline::new(m.polyline.iter().copied()))
                 .collect();
-            for (side, end) in [(start, Polyline::first as fn(&_) -> _), (end, Polyline::last)] {
+            for (side, end) in [
+                (start, Polyline::first as fn(&_) -> _),
+                (end, Polyline::last),
+            ] {
                 let places: Vec<_> = lines.iter().map(end).collect();
                 let names = &patch.sides[side].edges;
                 for place in &places {

@@ -37,14 +37,6 @@ impl Polyline {
         self.places[self.places.len() - 1]
     }
 
-    /// The place at an arc length.
-    pub(crate) fn at(&self, arc: f64) -> Point3<f64> {
-        let last = self.places.len() - 2;
-        let i = self.arc.partition_point(|&a| a <= arc).clamp(1, last + 1) - 1;
-        let share = (arc - self.arc[i]) / (self.arc[i + 1] - self.arc[i]);
-        self.places[i] + (self.places[i + 1] - self.places[i]) * share.clamp(0.0, 1.0)
-    }
-
     /// Whether a place lies on it, as far as written numbers tell.
     pub(crate) fn passes(&self, place: &Point3<f64>) -> bool {
         self.places.windows(2).any(|pair| {

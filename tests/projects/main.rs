@@ -17,7 +17,7 @@ const PROJECTS: [&str; 4] = [
     "projects/desktop/desktop.toml",
     "projects/saddle/saddle.toml",
     "projects/sphere-cap/sphere-cap.toml",
-    "tests/corpus/designs/good/junction.toml",
+    "tests/corpus/designs/junction.toml",
 ];
 
 /// A file of the repository.

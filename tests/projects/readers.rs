@@ -38,7 +38,6 @@ fn recomputed(name: &str) -> String {
     let (project, plan) = (root(name), out.join("plan.json"));
     let paths: [&Path; 4] = [&project, &plan, &schema, &materials];
     let told = python::read(&python, "plan_check.py", &paths);
-    println!("{told}");
     told.lines().next().unwrap_or_default().to_owned()
 }
 

@@ -9,7 +9,7 @@ import os
 import sys
 
 import ezdxf
-from ezdxf import bbox
+from ezdxf.math import Vec3
 from ezdxf.path import make_path
 from shapely.geometry import LineString, Point, Polygon
 from shapely.strtree import STRtree
@@ -36,16 +36,34 @@ def read(path):
     for e in entities:
         assert e.dxf.color == 256 and e.dxf.lineweight == -1, "colour and weight by layer"
         assert e.dxf.owner == doc.modelspace().block_record_handle
-    box = bbox.extents(entities, fast=False)
-    for name, point in (("$EXTMIN", box.extmin), ("$EXTMAX", box.extmax)):
+    low, high = extents(entities)
+    for name, point in (("$EXTMIN", low), ("$EXTMAX", high)):
         stored = doc.header[name]
-        assert max(abs(stored[k] - point[k]) for k in range(2)) < 1e-3, (name, stored, point)
+        assert max(abs(stored[k] - point[k]) for k in range(2)) < EPS, (name, stored, point)
     limits = doc.header["$LIMMAX"]
-    assert box.extmin.x > -EPS and box.extmin.y > -EPS
-    assert box.extmax.x < limits[0] + EPS and box.extmax.y < limits[1] + EPS
+    assert min(low) > -EPS and all(high[k] < limits[k] + EPS for k in range(2))
     raw = open(path, "rb").read()
     assert raw.count(b"\n") == raw.count(b"\r\n") and raw.isascii()
     return doc, entities
+
+
+def extents(entities):
+    """Lowest and highest coordinates of lines and true arcs."""
+    points = []
+    for e in entities:
+        pieces = list(e.virtual_entities()) if e.dxftype() == "LWPOLYLINE" else [e]
+        for piece in pieces:
+            if piece.dxftype() == "LINE":
+                points += [piece.dxf.start, piece.dxf.end]
+                continue
+            center, radius = piece.dxf.center, piece.dxf.radius
+            angles = [0, 90, 180, 270]
+            if piece.dxftype() == "ARC":
+                start = piece.dxf.start_angle
+                sweep = (piece.dxf.end_angle - start) % 360
+                angles = [start, start + sweep] + [a for a in angles if (a - start) % 360 <= sweep]
+            points += [center + Vec3.from_deg_angle(a, radius) for a in angles]
+    return tuple(tuple(pick(p[k] for p in points) for k in range(2)) for pick in (min, max))
 
 
 def slot(e):

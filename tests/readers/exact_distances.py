@@ -35,6 +35,8 @@ class Surface:
             self._register(i, tuple(f))
         self.known = {}
         self.solver = None
+        edges = self.original - np.roll(self.original, 1, axis=1)
+        self.mean_edge = np.linalg.norm(edges, axis=2).mean()
 
     def _register(self, face, triangle):
         for k in range(3):

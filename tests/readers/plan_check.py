@@ -196,8 +196,11 @@ def check_cladding(patch, lines, surface):
             source = surface.insert(tuple(start_side.at(start * start_side.length)))
             target = surface.insert(tuple(end_side.at(end * end_side.length)))
             exact = surface.distances(source, [target])[0]
-            # Functions are traced on interpolated distances; only members are exact.
-            close(f"sample of {patch['id']}", exact / planar, 1, 1e-5)
+            # Functions are traced on interpolated distances; only members are exact. Distances on
+            # a polyhedron are smooth but for the angles at its edges, which pass on a hundredth
+            # of the square of an edge in a member.
+            edge = surface.mean_edge / planar
+            close(f"sample of {patch['id']}", exact / planar, 1, 0.01 * edge**2)
 
 
 def check_crossings(plan, patch):
