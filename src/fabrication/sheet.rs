@@ -347,7 +347,7 @@ fn grain_statement(grain: Grain) -> &'static str {
 }
 
 /// A dimension as people write it: at most two decimals.
-pub(super) fn trim(value: f64) -> String {
+pub fn trim(value: f64) -> String {
     let text = format!("{value:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
