@@ -68,11 +68,11 @@ fn svg_and_dxf_of_a_drawing_are_the_same_to_a_micrometre() {
     // Drawings that were compared, pictures that were rendered.
     assert_eq!(
         script(&Job::desktop().write("desktop-pictures")).trim(),
-        "2 5"
+        "3 6"
     );
     assert_eq!(
         script(&Job::pavilion().write("pavilion-pictures")).trim(),
-        "3 7"
+        "4 8"
     );
 }
 

@@ -22,14 +22,18 @@ fn halves(shop: &Workshop) -> Plan {
     let mesh = fs::read(folder.join("desktop.obj")).expect("a mesh");
     shop.write("desktop.obj", mesh);
     let text = fs::read_to_string(folder.join("desktop.toml")).expect("a project");
-    let text = text.replace("a = [-200, -270]", "a = [-200, -270]\nm = [0, -270]\nn = [0, 270]");
+    let text = text.replace(
+        "a = [-200, -270]",
+        "a = [-200, -270]\nm = [0, -270]\nn = [0, 270]",
+    );
     let patches = "[patches.east]\ncorners = [\"m\", \"b\", \"c\", \"n\"]\nmembers = { u = 5 }\n\n\
                    [patches.west]\ncorners = [\"a\", \"m\", \"n\", \"d\"]\nmembers = { u = 5, v = 9 }\n";
     let start = text.find("[patches.hills]").expect("a patch");
     let end = text.find("[lamella]").expect("a section");
     let text = format!("{}{patches}\n{}", &text[..start], &text[end..]);
     shop.write("halves.toml", text);
-    shop.egg(&["build", "halves.toml", "--out", "out"]).expect(0);
+    shop.egg(&["build", "halves.toml", "--out", "out"])
+        .expect(0);
     let text = fs::read_to_string(shop.path("out/plan.ron")).expect("a plan");
     egg::plan::from_ron(&text).expect("a plan")
 }
