@@ -316,8 +316,9 @@ fn large_label(part: &Part, openings: &[[f64; 2]]) -> Text {
     let full = 0.55 * part.width;
     let width = stroke_font::width(&part.id);
     let fitting = |[from, to]: [f64; 2]| (0.85 * (to - from) / width).min(full);
-    let starts = [0.0].into_iter().chain(openings.iter().map(|o| o[1]));
-    let ends = openings.iter().map(|o| o[0]).chain([part.length]);
+    let [first, last] = part.ends;
+    let starts = [first].into_iter().chain(openings.iter().map(|o| o[1]));
+    let ends = openings.iter().map(|o| o[0]).chain([part.length - last]);
     let mut best = [0.0, part.length];
     let mut height = 0.0;
     for stretch in starts.zip(ends).map(<[f64; 2]>::from) {
