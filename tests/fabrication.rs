@@ -5,9 +5,10 @@ mod common;
 use common::{python, synthetic};
 use egg::diagnostics::{Diagnostic, Place};
 use egg::fabrication::drawing::{Drawing, Layer, Palette, Text};
-use egg::fabrication::{self, Inputs, OutputFile, bom, nesting, svg};
+use egg::fabrication::supports::{self, SupportInputs};
+use egg::fabrication::{self, Inputs, OutputFile, bom, nesting, stickers, svg};
 use egg::plan::{LamellaRecord, OpeningRecord, Plan};
-use egg::project::model::{Fabrication, Hardware, Material};
+use egg::project::model::{Fabrication, Hardware, Material, SupportKind, SupportPlaces, Supports};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -20,7 +21,7 @@ struct Job {
 }
 
 impl Job {
-    fn new(plan: Plan, hardware: Hardware, fabrication: Fabrication) -> Self {
+    fn new(plan: Plan, hardware: Hardware, fabrication: Fabrication, supports: &Supports) -> Self {
         let mut job = Self {
             plan,
             hardware,
@@ -32,6 +33,17 @@ impl Job {
             .expect("the parts fit")
             .value;
         job.plan.sheets = nest.sheets;
+        if let Some(sticker) = &job.hardware.sticker {
+            job.plan.stickers = stickers::records(&job.plan, sticker).value;
+            let foils = stickers::nest(&job.plan.stickers, sticker);
+            job.plan.foils = foils.expect("the stickers fit").value;
+        }
+        let inputs = SupportInputs {
+            supports,
+            bolt: &job.hardware.bolt,
+        };
+        let made = supports::records(&job.plan, inputs);
+        job.plan.supports = made.expect("supports stand").value;
         let shopping = bom::Shopping {
             hardware: &job.hardware,
             materials: &job.materials,
@@ -49,6 +61,11 @@ impl Job {
             synthetic::desktop(),
             synthetic::hardware(3.0, 4.0),
             synthetic::fabrication([0.8, 0.3]),
+            &Supports {
+                at: SupportPlaces::Corners,
+                kind: SupportKind::Printed,
+                height: 0.0,
+            },
         )
     }
 
@@ -57,6 +74,11 @@ impl Job {
             synthetic::pavilion(),
             synthetic::hardware(4.0, 5.0),
             synthetic::fabrication([2.5, 1.25]),
+            &Supports {
+                at: SupportPlaces::Corners,
+                kind: SupportKind::WedgeOnBlock,
+                height: 0.12,
+            },
         )
     }
 
@@ -165,6 +187,66 @@ fn svg_and_dxf_of_a_drawing_are_the_same_to_a_micrometre() {
     );
 }
 
+fn readers_of_hardware() -> PathBuf {
+    python::venv(&[
+        "ezdxf==1.4.*",
+        "shapely==2.*",
+        "trimesh==4.*",
+        "lib3mf==2.*",
+        "openpyxl==3.1.*",
+    ])
+}
+
+#[test]
+fn stickers_cover_every_contact_and_lie_on_their_cards_as_they_are_glued() {
+    let python = readers_of_hardware();
+    let script = |folder: &PathBuf| python::read(&python, "stickers.py", &[folder]);
+    // Stickers, crossings that slide, sheets of foil.
+    assert_eq!(script(&Job::desktop().write("desktop-foil")).trim(), "");
+    assert_eq!(script(&Job::pavilion().write("pavilion-foil")).trim(), "");
+}
+
+#[test]
+fn printed_feet_are_closed_solids_with_the_contact_faces_of_the_plan() {
+    let python = readers_of_hardware();
+    let folder = Job::desktop().write("desktop-supports");
+    // Supports, solids, objects of the 3MF, templates, drawings of blocks.
+    let read = python::read(&python, "supports.py", &[&folder]);
+    assert_eq!(read.trim(), "4 4 4 0 0");
+}
+
+#[test]
+fn wedges_and_blocks_have_the_tilt_and_height_of_the_plan() {
+    let python = readers_of_hardware();
+    let folder = Job::pavilion().write("pavilion-supports");
+    let read = python::read(&python, "supports.py", &[&folder]);
+    assert_eq!(read.trim(), "6 0 0 6 6");
+    let mut job = Job::pavilion();
+    let supports = Supports {
+        at: SupportPlaces::EveryBoundaryCrossing,
+        kind: SupportKind::ConcreteBlock,
+        height: 0.0,
+    };
+    let inputs = SupportInputs {
+        supports: &supports,
+        bolt: &job.hardware.bolt,
+    };
+    let made = supports::records(&job.plan, inputs);
+    job.plan.supports = made.expect("supports stand").value;
+    let folder = job.write("pavilion-blocks");
+    let read = python::read(&python, "supports.py", &[&folder]);
+    assert_eq!(read.trim(), "");
+}
+
+#[test]
+fn the_workbook_holds_every_table_cell_by_cell() {
+    let python = readers_of_hardware();
+    let folder = Job::pavilion().write("pavilion-workbook");
+    let read = python::read(&python, "workbook.py", &[&folder]);
+    let tabs = "Summary, Shopping, Cut list, Crossings, Stickers, Supports";
+    assert_eq!(read.trim(), tabs);
+}
+
 #[test]
 fn the_same_plan_gives_the_same_bytes() {
     let first = Job::pavilion().files();
@@ -209,7 +291,7 @@ fn letters_look_as_designed() {
 #[test]
 fn tables_are_as_reviewed() {
     let files = Job::pavilion().files();
-    for name in ["bom.csv", "cutlist.csv"] {
+    for name in ["bom.csv", "cutlist.csv", "supports.csv", "assembly.md"] {
         let file = files.iter().find(|file| file.path == name).expect("made");
         golden(&format!("pavilion.{name}"), &file.bytes);
     }

@@ -24,9 +24,11 @@
 //! | `chapter` | patch | names, material | the patch's results |
 //! | `workshop` | patch | hardware, fabrication, materials | `chapter` |
 //! | `nest` | structure | stock, bed, margins, kerf, grain | chapters |
-//! | `bill` | structure | hardware, materials, prices | chapters, `nest` |
-//! | `plan` | structure | name | skeleton, chapters, `nest`, `bill` |
-//! | `*-files` | patch or structure | what the drawings show | chapters, `nest`, `bill` |
+//! | `stickers` | structure | `hardware.sticker` | chapters |
+//! | `supports` | structure | `supports`, bolt | skeleton, chapters |
+//! | `bill` | structure | hardware, materials, prices | chapters, `nest`, `stickers`, `supports` |
+//! | `plan` | structure | name | skeleton, chapters, `nest`, `stickers`, `supports`, `bill` |
+//! | `*-files` | patch or structure | what the drawings show | chapters and what is drawn |
 //!
 //! Names of points and patches are targets of instances, not inputs, up to the chapters: a patch
 //! that is renamed keeps its geometry. Points and patches are declared by name, so their order in
@@ -38,7 +40,8 @@ use super::stages::cladding::{
 };
 use super::stages::fabrication::{
     ABOVE_FILES, BILL, BillInput, CLADDING_FILES, DrawingInput, LAYOUT_FILES, NEST, NestInput,
-    PLAN_FILE, SHEET_FILES, TABLE_FILES, WORKSHOP,
+    PLAN_FILE, SHEET_FILES, STICKER_FILES, STICKERS, SUPPORT_FILES, SUPPORTS, SupportInput,
+    TABLE_FILES, WORKSHOP,
 };
 use super::stages::layout::{ANCHOR, ANCHORS, Anchors, LINE, PATCH, PatchInput, STATION};
 use super::stages::members::{GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP};
@@ -152,10 +155,30 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
                 .map(|m| (m.name.clone(), m.grain))
                 .collect(),
         },
-        (chapters.clone(), workshops),
+        (chapters.clone(), workshops.clone()),
     );
     graph.origin(nest, "settings", "fabrication");
     told.push((String::new(), nest.warnings()));
+    let foils = graph.add(
+        &STICKERS,
+        "",
+        project.hardware.sticker.clone(),
+        (chapters.clone(), workshops.clone()),
+    );
+    graph.origin(foils, "", "hardware.sticker");
+    told.push((String::new(), foils.warnings()));
+    let supports = graph.add(
+        &SUPPORTS,
+        "",
+        SupportInput {
+            supports: project.supports.clone(),
+            bolt: project.hardware.bolt.clone(),
+        },
+        (skeleton, chapters.clone(), workshops),
+    );
+    graph.origin(supports, "supports", "supports");
+    graph.origin(supports, "bolt", "hardware.bolt");
+    told.push((String::new(), supports.warnings()));
     let bill = graph.add(
         &BILL,
         "",
@@ -164,7 +187,7 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
             materials: project.materials.clone(),
             stock: project.fabrication.stock.clone(),
         },
-        (chapters.clone(), nest),
+        (chapters.clone(), nest, foils, supports),
     );
     graph.origin(bill, "hardware", "hardware");
     graph.origin(bill, "stock", "fabrication.stock");
@@ -177,7 +200,15 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
             name: project.name.clone(),
             subjects,
         },
-        (skeleton, chapters.clone(), nest, bill, warnings),
+        (
+            skeleton,
+            chapters.clone(),
+            nest,
+            foils,
+            supports,
+            bill,
+            warnings,
+        ),
     );
     graph.origin(plan, "name", "project.name");
     if extent == Extent::Plan {
@@ -204,7 +235,14 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
     let sheets = graph.add(&SHEET_FILES, "", drawing(), (chapters.clone(), nest));
     drawing_origins(graph, sheets);
     graph.publish(sheets);
-    let tables = graph.add(&TABLE_FILES, "", drawing(), (chapters, nest, bill));
+    let stickers = graph.add(&STICKER_FILES, "", drawing(), foils);
+    drawing_origins(graph, stickers);
+    graph.publish(stickers);
+    let needs = (skeleton, chapters, supports);
+    let feet = graph.add(&SUPPORT_FILES, "", drawing(), needs);
+    drawing_origins(graph, feet);
+    graph.publish(feet);
+    let tables = graph.add(&TABLE_FILES, "", drawing(), plan);
     drawing_origins(graph, tables);
     graph.publish(tables);
 }
