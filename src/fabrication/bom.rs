@@ -10,6 +10,7 @@ use super::nesting::Group;
 use super::nodes::{Node, nodes};
 use super::part::net_area;
 use super::sheet::trim;
+use super::splicing;
 use super::supports::drawing::layers;
 use super::supports::{WEDGE_EDGE, thinnest_sheet};
 use super::units::MM;
@@ -44,6 +45,11 @@ pub fn rows(plan: &Plan, shopping: &Shopping<'_>) -> Checked<Vec<BomRow>> {
     rows.extend(shells(&nodes, shopping));
     rows.extend(stickers(plan, shopping));
     rows.extend(supports(plan, shopping));
+    rows.extend(splicing::shopping::rows(
+        plan,
+        shopping.hardware,
+        shopping.materials,
+    )?);
     rows.extend(coating(plan));
     Ok(Warned {
         value: rows,

@@ -196,6 +196,7 @@ pub(crate) fn plan(name: &str, patches: &[Patch], section: &Section) -> Plan {
         crossings: Vec::new(),
         lamellae: Vec::new(),
         sheets: Vec::new(),
+        nesting: Vec::new(),
         stickers: Vec::new(),
         foils: Vec::new(),
         supports: Vec::new(),

@@ -137,6 +137,7 @@ pub(in crate::build) const PLAN: Stage<PlanInput, PlanNeeds, Plan> = Stage {
         let mut plan = bind(&input.name, all);
         plan.sheets.clone_from(&nest.sheets);
         equip(&mut plan, foils, supports);
+        plan.nesting = nest.records();
         plan.bill_of_materials.clone_from(bill);
         for (subject, told) in input.subjects.iter().zip(warnings) {
             plan.diagnostics.extend(told.iter().map(|diagnostic| {

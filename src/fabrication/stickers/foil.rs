@@ -136,7 +136,9 @@ fn empty(sticker: &Sticker) -> SheetRecord {
         length: sticker.sheet[0],
         width: sticker.sheet[1],
         yield_share: 0.0,
+        kerf: 0.0,
         parts: Vec::new(),
+        windows: Vec::new(),
     }
 }
 
