@@ -27,8 +27,9 @@ def check_solid(mesh, support):
     """A printed foot: closed, of the plan's volume, with the plan's contact face and hole."""
     body = support["body"]
     assert mesh.is_watertight and mesh.is_winding_consistent and mesh.is_volume
-    assert mesh.euler_number == 2 and mesh.body_count == 1
-    assert abs(mesh.volume / (body["volume"] * MM**3) - 1) < 1e-4
+    assert mesh.euler_number == 2, "one body without handles"
+    # The plan has whole cubic millimetres, a STL seven digits.
+    assert abs(mesh.volume - body["volume"] * MM**3) < 0.6 + 1e-5 * mesh.volume
     assert abs(mesh.bounds[0][2]) < 1e-3, "it stands on the plate"
     # The foot: a circle around the origin.
     low = mesh.vertices[mesh.vertices[:, 2] < 1e-3]
@@ -38,7 +39,8 @@ def check_solid(mesh, support):
     normal = np.array(support["normal"])
     centre = np.array([0, 0, support["height"] * MM])
     plane = np.abs((mesh.triangles - centre) @ normal).max(axis=1) < 1e-3
-    assert np.allclose(mesh.face_normals[plane], normal, atol=1e-4)
+    # Vertices are rounded to a tenth of a micrometre, the shortest edges are a tenth of a millimetre.
+    assert np.allclose(mesh.face_normals[plane], normal, atol=2e-3)
     ring = math.pi * ((body["pad"] / 2) ** 2 - (body["bore"] / 2) ** 2) * MM**2
     assert abs(mesh.area_faces[plane].sum() / ring - 1) < 3e-3
     # The hole is square to it: its bottom is as deep as the plan says.
@@ -144,11 +146,15 @@ def check_setting_out(folder, supports):
         area = lambda p: (p[1] - p[0])[0] * (p[2] - p[0])[1] - (p[1] - p[0])[1] * (p[2] - p[0])[0]
         assert area(here) * area(true) > 0
     base = [i for i, p in enumerate(here) if np.linalg.norm(p) < 0.05]
-    far = max(range(len(rows)), key=lambda i: here[i][0])
-    assert len(base) == 1 and abs(here[far][1]) < 0.05
+    ends = [i for i, r in enumerate(rows) if float(r["tape_2_mm"]) == 0]
+    assert len(base) == 1 and len(ends) == 1
+    far = ends[0]
+    longest = max(np.linalg.norm(a - b) for a in here for b in here)
+    assert abs(here[far][1]) < 0.06 and abs(here[far][0] - longest) < 0.2
     for r, p in zip(rows, here):
-        assert abs(float(r["tape_1_mm"]) - np.linalg.norm(p)) < 0.11
-        assert abs(float(r["tape_2_mm"]) - np.linalg.norm(p - here[far])) < 0.11
+        # Each number of the table is off by up to 0.05.
+        assert abs(float(r["tape_1_mm"]) - np.linalg.norm(p)) < 0.05 * (1 + 2 * 2**0.5)
+        assert abs(float(r["tape_2_mm"]) - np.linalg.norm(p - here[far])) < 0.05 * (1 + 2 * 2**0.5)
     for s in supports:
         n = np.array(s["normal"])
         assert abs(np.linalg.norm(n) - 1) < 1e-8

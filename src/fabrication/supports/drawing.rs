@@ -11,7 +11,7 @@ use super::super::drawing::{Anchor, Closure, Drawing, Layer, Palette, Path, Shap
 use super::super::sheet::trim;
 use super::super::stroke_font;
 use super::super::units::MM;
-use super::{GRAVITY, WEDGE_EDGE};
+use super::GRAVITY;
 use crate::plan::{SupportBody, SupportRecord};
 use crate::project::model::{ColourPreset, SupportKind};
 
@@ -187,12 +187,11 @@ pub fn block(record: &SupportRecord, style: &BlockStyle<'_>) -> Option<Drawing> 
         SupportKind::WedgeOnBlock => body.block * MM,
         SupportKind::ConcreteBlock | SupportKind::Printed => block_side.high,
     };
-    sheet.upright(-right - sheet.step(2.0), 0.0, high, &mm(high));
-    let low = match record.kind {
-        SupportKind::WedgeOnBlock => middle - slope(face.length) - WEDGE_EDGE * MM,
-        SupportKind::ConcreteBlock | SupportKind::Printed => block_side.low,
-    };
-    if record.kind == SupportKind::ConcreteBlock {
+    if record.kind == SupportKind::WedgeOnBlock || record.tilt > 0.05 {
+        sheet.upright(-right - sheet.step(2.0), 0.0, high, &mm(high));
+    }
+    if record.kind == SupportKind::ConcreteBlock && record.tilt > 0.05 {
+        let low = block_side.low;
         sheet.upright(right + sheet.step(6.5), 0.0, low, &mm(low));
     }
 
@@ -246,8 +245,12 @@ fn notes(record: &SupportRecord, body: &SupportBody, style: &BlockStyle<'_>) -> 
     let mut lines = vec![
         format!("{} {}   {kind}   1:1 mm", style.project, record.id),
         format!(
-            "contact face {:.1}°, falls to the right. Its middle is {} above the ground",
-            record.tilt,
+            "{}. Its middle is {} above the ground",
+            if record.tilt > 0.05 {
+                format!("contact face {:.1}°, falls to the right", record.tilt)
+            } else {
+                "contact face level".to_owned()
+            },
             mm(record.height * MM)
         ),
         format!(

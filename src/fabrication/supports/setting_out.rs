@@ -88,10 +88,24 @@ impl<'a> SettingOut<'a> {
         [cos * dx + sin * dy, cos * dy - sin * dx]
     }
 
+    /// Mean of all stations.
+    fn middle(&self) -> [f64; 2] {
+        let count = self.stations.len() as f64;
+        [0, 1].map(|i| self.stations.iter().map(|s| s.at[i]).sum::<f64>() / count)
+    }
+
+    /// Letters of names, which stand like rays: no higher than neighbours leave room for.
+    fn name_height(&self, letters: f64) -> f64 {
+        let around = self.around();
+        let next = around.iter().cycle().skip(1);
+        let gaps = around.iter().zip(next).map(|(a, b)| distance(a.at, b.at));
+        let least = gaps.filter(|gap| *gap > 0.0).fold(f64::INFINITY, f64::min);
+        letters.min(0.6 * least)
+    }
+
     /// Stations in order around their middle: neighbours along the rim of a convex structure.
     fn around(&self) -> Vec<&Station<'a>> {
-        let count = self.stations.len() as f64;
-        let middle = [0, 1].map(|i| self.stations.iter().map(|s| s.at[i]).sum::<f64>() / count);
+        let middle = self.middle();
         let mut order: Vec<&Station<'_>> = self.stations.iter().collect();
         order.sort_by(|a, b| {
             let angle = |s: &Station<'_>| libm::atan2(s.at[1] - middle[1], s.at[0] - middle[0]);
@@ -140,10 +154,12 @@ pub fn draw(plan: &Plan) -> Option<Drawing> {
         );
     }
     distances(&mut drawing, &setting, letters);
+    let names = setting.name_height(letters);
     for station in &setting.stations {
-        draw_station(&mut drawing, station, bounds, letters);
+        draw_station(&mut drawing, station, letters);
+        draw_name(&mut drawing, &setting, station, letters, names);
     }
-    let table_top = bounds.min[1] - 6.0 * letters;
+    let table_top = drawing.bounds().min[1] - 3.0 * letters;
     draw_table(&mut drawing, plan, &setting, table_top, letters);
     let all = drawing.bounds();
     let border = 2.0 * letters;
@@ -197,7 +213,7 @@ fn distances(drawing: &mut Drawing, setting: &SettingOut<'_>, letters: f64) {
     }
 }
 
-fn draw_station(drawing: &mut Drawing, station: &Station<'_>, bounds: Bounds, letters: f64) {
+fn draw_station(drawing: &mut Drawing, station: &Station<'_>, letters: f64) {
     let support = station.support;
     let [x, y] = station.at;
     let (sin, cos) = libm::sincos(station.falls.to_radians());
@@ -243,14 +259,43 @@ fn draw_station(drawing: &mut Drawing, station: &Station<'_>, bounds: Bounds, le
             );
         }
     }
-    // Names stand outside, away from the lines.
-    let middle = [0, 1].map(|i| 0.5 * (bounds.min[i] + bounds.max[i]));
-    let left = x < middle[0];
-    let above = y >= middle[1];
-    let anchor = if left { Anchor::End } else { Anchor::Start };
-    let aside = if left { -1.0 } else { 1.0 } * 1.2 * letters;
-    let lift = if above { 1.0 * letters } else { -2.0 * letters };
-    let text = Text::new(short_name(support), [x + aside, y + lift], letters).anchored(anchor);
+}
+
+/// The name outside, away from the lines, readable from below or from the right.
+fn draw_name(
+    drawing: &mut Drawing,
+    setting: &SettingOut<'_>,
+    station: &Station<'_>,
+    letters: f64,
+    height: f64,
+) {
+    let support = station.support;
+    let middle = setting.middle();
+    let mut ray = [station.at[0] - middle[0], station.at[1] - middle[1]];
+    let length = libm::hypot(ray[0], ray[1]);
+    ray = if length > 0.0 {
+        ray.map(|v| v / length)
+    } else {
+        [1.0, 0.0]
+    };
+    let foot = support.body.map_or(0.0, |body| 0.75 * body.foot * MM);
+    let away = foot.max(3.0 * letters) + 0.6 * letters;
+    let angle = libm::atan2(ray[1], ray[0]);
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let (angle, anchor) = if angle > quarter + 1e-9 || angle <= -quarter + 1e-9 {
+        (angle + core::f64::consts::PI, Anchor::End)
+    } else {
+        (angle, Anchor::Start)
+    };
+    let (sin, cos) = libm::sincos(angle);
+    let drop = 0.5 * height;
+    let at = [
+        station.at[0] + away * ray[0] + drop * sin,
+        station.at[1] + away * ray[1] - drop * cos,
+    ];
+    let text = Text::new(short_name(support), at, height)
+        .anchored(anchor)
+        .turned(angle);
     drawing.draw(Layer::Halo, &support.id, text.clone());
     drawing.draw(Layer::Label, &support.id, text);
 }
