@@ -17,7 +17,9 @@ use super::{
 };
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Severity, Warned};
-use crate::plan::{LamellaRecord, NestingRecord, OpeningRecord, Plan, SheetRecord};
+use crate::plan::{
+    LamellaRecord, NestingRecord, OpeningRecord, Plan, SheetRecord, cladding_to_ron,
+};
 use crate::project::model::{Fabrication, Grain, Hardware, Material};
 
 /// A file to write.
@@ -293,7 +295,7 @@ pub fn above_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
     files.finish()
 }
 
-/// The cladding functions of every patch.
+/// The cladding functions of every patch, as a plot and as a document.
 pub fn cladding_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
     let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
     let mut files = Files::default();
@@ -301,6 +303,8 @@ pub fn cladding_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
         let members = plan.members.iter().filter(|m| m.patch == patch.id);
         let drawing = cladding_plot::draw(patch, &members.collect::<Vec<_>>());
         files.picture(&format!("cladding/{name}"), &drawing);
+        let document = cladding_to_ron(plan, patch).into_bytes();
+        files.add(&format!("cladding/{name}"), "ron", Ok(document));
     }
     files.finish()
 }

@@ -10,7 +10,6 @@ import sys
 
 import ezdxf
 from ezdxf.math import Vec3
-from ezdxf.path import make_path
 from shapely import affinity, union_all
 from shapely.geometry import LineString, Point, Polygon, box
 from shapely.strtree import STRtree
@@ -78,18 +77,39 @@ def slot(e):
     return ax, bx, (by + cy) / 2, radius
 
 
-def contour(e, tolerance=0.002):
-    """A closed contour as a polygon."""
+def curve(e, steps=96):
+    """Points on the true curve of an entity; a closed one comes back to its start."""
     if e.dxftype() == "CIRCLE":
-        return Point(e.dxf.center.x, e.dxf.center.y).buffer(e.dxf.radius, 64)
-    assert e.closed, "cuts are closed"
-    polygon = Polygon([(p.x, p.y) for p in make_path(e).flattening(tolerance)])
+        angles = [2 * math.pi * i / (4 * steps) for i in range(4 * steps + 1)]
+        return [(e.dxf.center.x + e.dxf.radius * math.cos(a), e.dxf.center.y + e.dxf.radius * math.sin(a)) for a in angles]
+    if e.dxftype() == "LINE":
+        return [tuple(e.dxf.start)[:2], tuple(e.dxf.end)[:2]]
+    vertices = e.get_points("xyb")
+    pairs = list(zip(vertices, vertices[1:] + vertices[:1] if e.closed else vertices[1:]))
+    points = [vertices[0][:2]]
+    for (x0, y0, bulge), (x1, y1, _) in pairs:
+        if bulge:
+            # The centre lies on the bisector of the chord.
+            k = (1 - bulge * bulge) / (4 * bulge)
+            cx, cy = (x0 + x1) / 2 - k * (y1 - y0), (y0 + y1) / 2 + k * (x1 - x0)
+            radius, start, sweep = math.hypot(x0 - cx, y0 - cy), math.atan2(y0 - cy, x0 - cx), 4 * math.atan(bulge)
+            for i in range(1, 2 * steps):
+                a = start + sweep * i / (2 * steps)
+                points.append((cx + radius * math.cos(a), cy + radius * math.sin(a)))
+        points.append((x1, y1))
+    return points
+
+
+def contour(e):
+    """A closed contour as a polygon."""
+    assert e.dxftype() == "CIRCLE" or e.closed, "cuts are closed"
+    polygon = Polygon(curve(e))
     assert polygon.is_valid and polygon.area > 0
     return polygon
 
 
 def engraving(e):
-    return LineString([(p.x, p.y) for p in make_path(e).flattening(0.01)])
+    return LineString(curve(e, 8))
 
 
 def expected_parts(plan):
@@ -239,7 +259,7 @@ def check_sheet(files, sheet, parts, settings):
     for e in entities:
         if e.dxf.layer in ("ENGRAVE", "SCORE"):
             line = engraving(e)
-            around = [i for i in tree.query(line) if outlines[i].buffer(1e-6).contains(line)]
+            around = [i for i in tree.query(line.buffer(0.01)) if outlines[i].buffer(1e-6).contains(line)]
             assert len(around) == 1, "a stroke belongs to one part"
             for i in hole_tree.query(line.buffer(0.5)):
                 assert line.distance(holes[i]) > 0.5, "a stroke runs into an opening"
@@ -283,11 +303,11 @@ def middle_of(e):
 def check_outlines(outer, outlines, pushes):
     """What is cut outside are the outlines, to two thousandths; with windows in chains that overlap by
     a millimetre at every seam."""
-    lines = [engraving(e) if e.dxftype() != "LWPOLYLINE" or not e.closed else contour(e).exterior for e in outer]
+    lines = [LineString(curve(e)) for e in outer]
     tree = STRtree(outlines)
     chains = {}
     for e, line in zip(outer, lines):
-        owner = [i for i in tree.query(line) if outlines[i].exterior.buffer(0.002).contains(line)]
+        owner = [i for i in tree.query(line.buffer(0.01)) if outlines[i].exterior.buffer(0.002).contains(line)]
         assert len(owner) == 1, "an outline belongs to one part"
         closed = e.dxftype() == "LWPOLYLINE" and e.closed
         assert closed or pushes, "cuts are closed"

@@ -1,6 +1,7 @@
 //! Files that are not those of their plan, before `egg verify`.
 
 use crate::common::job::Job;
+use crate::golden;
 use egg::fabrication::readback::{Folder, verify};
 use egg::plan::to_ron;
 use egg::project::model::SpliceKind;
@@ -71,22 +72,22 @@ fn what_a_build_writes_agrees_with_its_plan() {
 fn a_folder_without_a_plan_is_none_of_a_build() {
     let mut files = folder(&Job::desktop());
     files.remove("plan.ron");
-    insta::assert_snapshot!(told(&files), @"");
-    files.insert("plan.ron".to_owned(), b"Plan(format: 99,\n)".to_vec());
-    insta::assert_snapshot!(told(&files), @"");
+    golden("verify-no-plan.txt", &told(&files));
+    files.insert("plan.ron".to_owned(), b"(\n  format: 99,\n)".to_vec());
+    golden("verify-plan-of-another-format.txt", &told(&files));
     files.insert("plan.ron".to_owned(), b"(format: 1,\n name: ".to_vec());
-    insta::assert_snapshot!(told(&files), @"");
+    golden("verify-plan-cut-short.txt", &told(&files));
 }
 
 #[test]
 fn missing_and_foreign_files_are_named() {
     let mut files = folder(&Job::pavilion());
-    let sheet = path(&files, "sheet-01-of-02.dxf");
+    let sheet = path(&files, "sheet-01-of-01.dxf");
     let bytes = files.remove(&sheet).expect("a sheet");
-    files.insert(sheet.replace("-of-02", "-of-03"), bytes);
+    files.insert(sheet.replace("-of-01", "-of-02"), bytes);
     files.remove("parts/west.u03.dxf");
     files.remove("crossings.csv");
-    insta::assert_snapshot!(told(&files), @"");
+    golden("verify-files-missing.txt", &told(&files));
 }
 
 #[test]
@@ -98,7 +99,7 @@ fn files_that_are_cut_short_or_converted_are_named() {
     edit(&mut files, "layout/west.svg", "mm\"", "px\"");
     let part = "parts/west.u01.dxf";
     edit(&mut files, part, "CIRCLE", "SPLINE");
-    insta::assert_snapshot!(told(&files), @"");
+    golden("verify-files-unreadable.txt", &told(&files));
 }
 
 #[test]
@@ -111,7 +112,7 @@ fn an_opening_that_was_moved_is_found_in_both_drawings() {
     let moved: f64 = text[at..end].parse::<f64>().expect("a number") + 0.4;
     let text = format!("{}{moved}{}", &text[..at], &text[end..]);
     files.insert(sheet, text.into_bytes());
-    insta::assert_snapshot!(told(&files), @"");
+    golden("verify-opening-moved.txt", &told(&files));
 }
 
 #[test]
@@ -168,7 +169,7 @@ fn tables_that_a_spreadsheet_changed_are_found() {
         "west.u02-v02,west.u02,",
         "west.u02-v02,west.u03,",
     );
-    insta::assert_snapshot!(told(&files), @"");
+    golden("verify-tables-changed.txt", &told(&files));
 }
 
 #[test]

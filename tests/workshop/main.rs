@@ -25,3 +25,12 @@ fn readers() -> PathBuf {
         "pillow",
     ])
 }
+
+/// Holds a text to the one that was reviewed.
+fn golden(name: &str, text: &str) {
+    insta::with_settings!({
+        snapshot_path => "../golden/workshop",
+        prepend_module_to_snapshot => false,
+        omit_expression => true,
+    }, { insta::assert_snapshot!(name, text) });
+}

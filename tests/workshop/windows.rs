@@ -2,7 +2,7 @@
 
 use crate::common::job::Job;
 use crate::common::python;
-use crate::readers;
+use crate::{golden, readers};
 use egg::fabrication;
 
 #[test]
@@ -58,7 +58,12 @@ fn a_title_says_how_far_to_push() {
 #[test]
 fn a_border_without_wood_for_pins_is_told() {
     let mut job = Job::pushed(1.245);
+    // A panel that is just wide enough for its rows.
     job.fabrication.margin = 2e-3;
+    job.prepare();
+    let rows = job.plan.sheets[0].parts.iter().map(|part| part.y);
+    let top = rows.fold(0.0, f64::max) + 0.03;
+    job.fabrication.stock.width = top + 2.1e-3;
     job.prepare();
     let told = fabrication::outputs(&job.plan, job.inputs()).expect("files");
     let told: Vec<_> = told
@@ -67,5 +72,15 @@ fn a_border_without_wood_for_pins_is_told() {
         .filter(|d| d.code.as_str() == "W0731")
         .collect();
     assert_eq!(told.len(), job.plan.sheets.len());
-    insta::assert_snapshot!(told[0].message, @"");
+    golden("no-registration.txt", &told[0].message);
+}
+
+#[test]
+fn a_reader_finds_a_page_for_every_sheet() {
+    let job = Job::spliced(egg::project::model::SpliceKind::Finger);
+    let folder = job.write("pages");
+    let python = python::venv(&["pypdf==7.*"]);
+    let pages = folder.join("fabrication/pavilion_overview.pdf");
+    let told = python::read(&python, "pages.py", &[&pages]);
+    assert_eq!(told.trim(), format!("{} A3", job.plan.sheets.len()));
 }
