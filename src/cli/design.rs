@@ -14,8 +14,10 @@ const UNREADABLE_MESH: Code = Code::new("E0901");
 const OUTSIDE: Code = Code::new("E0902");
 
 /// What the pipeline does beyond cutting lamellae from patches as they stand.
-const BUILT: [Capability; 6] = [
+const BUILT: [Capability; 8] = [
     Capability::SeveralPatches,
+    Capability::Supports,
+    Capability::Stickers,
     Capability::Shells,
     Capability::BedWindows,
     Capability::KerfCompensation,
