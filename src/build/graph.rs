@@ -22,11 +22,16 @@
 //! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
 //! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |
 //! | `chapter` | patch | names, material | the patch's results |
+//! | `splices` | structure | splice, stock, bed, margins, bolt, clearance, grain | chapters |
+//! | `spliced` | patch | | `chapter`, `splices` |
 //! | `workshop` | patch | hardware, fabrication, materials | `chapter` |
 //! | `nest` | structure | stock, bed, margins, kerf, grain | chapters |
 //! | `bill` | structure | hardware, materials, prices | chapters, `nest` |
 //! | `plan` | structure | name | skeleton, chapters, `nest`, `bill` |
 //! | `*-files` | patch or structure | what the drawings show | chapters, `nest`, `bill` |
+//!
+//! `splices` and `spliced` are there where the project asks for joints; what needs chapters then
+//! has the spliced ones.
 //!
 //! Names of points and patches are targets of instances, not inputs, up to the chapters: a patch
 //! that is renamed keeps its geometry. Points and patches are declared by name, so their order in
@@ -37,8 +42,9 @@ use super::stages::cladding::{
     CLADDING, CladdingInput, DISTANCES, FEASIBILITY, FeasibilityInput, JUDGEMENT, SIDES,
 };
 use super::stages::fabrication::{
-    ABOVE_FILES, BILL, BillInput, CLADDING_FILES, DrawingInput, LAYOUT_FILES, NEST, NestInput,
-    PLAN_FILE, SHEET_FILES, TABLE_FILES, WORKSHOP,
+    ABOVE_FILES, BILL, BillInput, CLADDING_FILES, COUPON_FILES, CouponInput, DrawingInput,
+    LAYOUT_FILES, NEST, NestInput, PART_FILES, PLAN_FILE, SHEET_FILES, SPLICED, SPLICES,
+    TABLE_FILES, WORKSHOP,
 };
 use super::stages::layout::{ANCHOR, ANCHORS, Anchors, LINE, PATCH, PatchInput, STATION};
 use super::stages::members::{GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP};
@@ -49,7 +55,9 @@ use super::stages::surface::{CURVATURE, SURFACE, SurfaceInput};
 use super::{Built, Graph, Node, SourceFile, Warnings};
 use crate::cladding::Clad;
 use crate::diagnostics::{KeyPath, SpanTable};
+use crate::fabrication::coupon::{self, CouponSection};
 use crate::fabrication::nesting::Settings;
+use crate::fabrication::splicing::Rules;
 use crate::grid::Section;
 use crate::layout::{Domain, Network, Side, edge_id};
 use crate::members::Member;
@@ -126,6 +134,8 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         .map(|(i, patch)| chapter(graph, &basis, patch, i, &planned[i], &members, told))
         .collect();
 
+    let chapters = spliced(graph, project, &patches, chapters, told);
+
     let drawing = || DrawingInput {
         name: project.name.clone(),
         hardware: project.hardware.clone(),
@@ -192,7 +202,15 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         let flat = graph.add(&LAYOUT_FILES, &patch.name, drawing(), *chapter);
         drawing_origins(graph, flat);
         graph.publish(flat);
+        let parts = graph.add(&PART_FILES, &patch.name, drawing(), *chapter);
+        drawing_origins(graph, parts);
+        graph.publish(parts);
     }
+    let coupon = graph.add(&COUPON_FILES, "", coupon(project), ());
+    graph.origin(coupon, "sections", "lamella");
+    graph.origin(coupon, "hardware", "hardware");
+    graph.origin(coupon, "fabrication", "fabrication");
+    graph.publish(coupon);
     let above = graph.add(
         &ABOVE_FILES,
         "",
@@ -207,6 +225,64 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
     let tables = graph.add(&TABLE_FILES, "", drawing(), (chapters, nest, bill));
     drawing_origins(graph, tables);
     graph.publish(tables);
+}
+
+/// What test pieces a project needs.
+fn coupon(project: &Project) -> CouponInput {
+    let mut sections: Vec<CouponSection> = project
+        .patches
+        .iter()
+        .map(|patch| CouponSection {
+            material: patch.lamella.material.clone(),
+            thickness: patch.lamella.thickness,
+        })
+        .collect();
+    coupon::sort(&mut sections);
+    CouponInput {
+        sections,
+        hardware: project.hardware.clone(),
+        fabrication: project.fabrication.clone(),
+    }
+}
+
+/// Chapters with the pieces of lamellae that are longer than the stock, where the project allows
+/// joints.
+fn spliced(
+    graph: &mut Graph<'_>,
+    project: &Project,
+    patches: &[Patch],
+    chapters: Vec<Node<Plan>>,
+    told: &mut Vec<(String, Warnings)>,
+) -> Vec<Node<Plan>> {
+    let Some(kind) = project.fabrication.splice else {
+        return chapters;
+    };
+    let settings = Settings::new(&project.fabrication);
+    let rules = Rules {
+        kind,
+        bolt: project.hardware.bolt.diameter,
+        clearance: project.fabrication.clearance,
+        longest: project
+            .materials
+            .iter()
+            .map(|m| (m.name.clone(), settings.longest(m.grain)))
+            .collect(),
+    };
+    let splices = graph.add(&SPLICES, "", rules, chapters.clone());
+    for (field, key) in [
+        ("kind", "fabrication.splice"),
+        ("longest", "fabrication.stock"),
+        ("bolt", "hardware.bolt"),
+        ("clearance", "fabrication.clearance"),
+    ] {
+        graph.origin(splices, field, key);
+    }
+    told.push((String::new(), splices.warnings()));
+    patches
+        .iter()
+        .zip(chapters)
+        .map(|(patch, chapter)| graph.add(&SPLICED, &patch.name, (), (chapter, splices)))
+        .collect()
 }
 
 /// The plan of a finished build.

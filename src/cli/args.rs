@@ -89,6 +89,17 @@ pub(super) enum Command {
         #[arg(long)]
         force: bool,
     },
+    /// Write the test pieces that tell kerf and fit of a machine
+    Coupon {
+        #[command(flatten)]
+        file: ProjectFile,
+    },
+    /// Read the files of a build back and compare them with its plan
+    Verify {
+        /// The output directory of a build
+        #[arg(value_name = "FOLDER", value_hint = ValueHint::DirPath)]
+        folder: PathBuf,
+    },
     /// Write the plan to standard output
     Export {
         #[command(flatten)]

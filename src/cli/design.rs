@@ -14,10 +14,12 @@ const UNREADABLE_MESH: Code = Code::new("E0901");
 const OUTSIDE: Code = Code::new("E0902");
 
 /// What the pipeline does beyond cutting lamellae from patches as they stand.
-const BUILT: [Capability; 4] = [
+const BUILT: [Capability; 6] = [
     Capability::SeveralPatches,
     Capability::Shells,
+    Capability::BedWindows,
     Capability::KerfCompensation,
+    Capability::Splices,
     Capability::Costs,
 ];
 

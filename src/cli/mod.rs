@@ -11,9 +11,12 @@ mod interrupt;
 mod progress;
 mod run;
 
+use crate::build::Request;
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
-use commands::{build, cache, check, explain, export, graph, init, materials, schema, watch};
+use commands::{
+    build, cache, check, explain, export, graph, init, materials, schema, verify, watch,
+};
 use console::Console;
 use exit::Exit;
 use std::process::ExitCode;
@@ -65,6 +68,14 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
             let run = if dry_run { build::dry_run } else { build::run };
             run(console, &global, file.path.as_deref(), &request)
         }
+        Command::Coupon { file } => {
+            let request = Request {
+                stages: vec!["coupon-files".to_owned()],
+                ..Request::default()
+            };
+            build::run(console, &global, file.path.as_deref(), &request)
+        }
+        Command::Verify { folder } => verify::run(console, &folder),
         Command::Export { file, format } => {
             export::run(console, &global, file.path.as_deref(), format)
         }

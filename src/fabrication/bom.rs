@@ -10,6 +10,7 @@ use super::nesting::Group;
 use super::nodes::{Node, nodes};
 use super::part::{contact_reach, net_area};
 use super::sheet::trim;
+use super::splicing;
 use super::units::MM;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Warned};
@@ -40,6 +41,11 @@ pub fn rows(plan: &Plan, shopping: &Shopping<'_>) -> Checked<Vec<BomRow>> {
     rows.extend(fasteners(&nodes, shopping)?);
     rows.extend(shells(&nodes, shopping));
     rows.extend(stickers(plan, &index, &nodes, shopping));
+    rows.extend(splicing::shopping::rows(
+        plan,
+        shopping.hardware,
+        shopping.materials,
+    )?);
     rows.extend(coating(plan));
     Ok(Warned {
         value: rows,

@@ -6,7 +6,8 @@
 //! moved into the first quadrant.
 
 use super::drawing::{Anchor, Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text};
-use super::part::{opening_shape, outline, short_id};
+use super::outline;
+use super::part::{opening_shape, short_id};
 use super::sheet::trim;
 use super::stroke_font;
 use super::units::MM;
@@ -96,7 +97,14 @@ fn draw_lamella(drawing: &mut Drawing, member: &MemberRecord, lamella: &LamellaR
         Family::U => (Layer::LamellaU, Layer::OpeningU),
         Family::V => (Layer::LamellaV, Layer::OpeningV),
     };
-    drawing.draw(strip, &lamella.id, outline(lamella, 0.0).mapped(lay));
+    drawing.draw(strip, &lamella.id, outline::whole(lamella, 0.0).mapped(lay));
+    for piece in &lamella.pieces {
+        if piece.joint.is_some() {
+            let x = piece.to * MM;
+            let seam = [lay([x, 0.0]), lay([x, 2.0 * half])];
+            drawing.draw(strip, &piece.id, Path::polyline(&seam, Closure::Open));
+        }
+    }
     for record in &lamella.openings {
         let shape = match opening_shape(lamella, record, 0.0) {
             Shape::Path(path) => Shape::Path(path.mapped(lay)),

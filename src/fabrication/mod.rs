@@ -5,13 +5,16 @@
 //! |---|---|
 //! | [`nesting`] | sheets of the plan from the sizes of its lamellae |
 //! | [`bom`] | the bill of materials of the plan |
-//! | [`part`], [`labels`] | a lamella as the shapes that cut it |
+//! | [`splicing`] | pieces of lamellae that are longer than the stock |
+//! | [`pieces`], [`part`], [`outline`], [`labels`] | a part as the shapes that cut it |
 //! | [`lints`], [`hardware`] | what a workshop would object to |
-//! | [`sheet`] | cut file and overview of a sheet |
+//! | [`sheet`], [`passage`] | cut files and overview of a sheet; those of a sheet longer than the bed |
+//! | [`coupon`] | a test piece for kerf and fit |
 //! | [`layout`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
 //! | [`tables`] | CSV |
 //! | [`drawing`], [`stroke_font`] | the neutral drawing and its letters |
-//! | [`dxf`], [`svg`] | the two writers, one file a drawing |
+//! | [`dxf`], [`svg`], [`pdf`] | the writers |
+//! | [`readback`] | whether files are those of a plan |
 //!
 //! Sheets and bill are records of the plan, so they are made first ([`nesting::nest`],
 //! [`bom::rows`]); files are made from the finished plan. [`outputs`] makes all of them; each
@@ -20,6 +23,7 @@
 
 pub mod bom;
 pub mod cladding_plot;
+pub mod coupon;
 pub mod drawing;
 pub mod dxf;
 pub mod from_above;
@@ -31,15 +35,21 @@ pub mod lints;
 pub mod names;
 pub mod nesting;
 pub mod nodes;
+pub mod outline;
 mod outputs;
 pub mod part;
+pub mod passage;
+pub mod pdf;
+pub mod pieces;
+pub mod readback;
 pub mod sheet;
+pub mod splicing;
 pub mod stroke_font;
 pub mod svg;
 pub mod tables;
 pub mod units;
 
 pub use outputs::{
-    Inputs, OutputFile, above_files, blanks, check, cladding_files, layout_files, outputs, parts,
-    sheet_files, table_files,
+    Inputs, OutputFile, above_files, blanks, check, cladding_files, coupon_files, layout_files,
+    outputs, overview_files, part_files, parts, sheet_files, table_files,
 };

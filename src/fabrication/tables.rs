@@ -5,8 +5,9 @@ use super::hardware::Series;
 use super::index::PlanIndex;
 use super::nodes::nodes;
 use super::part::short_id;
+use super::pieces::{self, End};
 use super::units::MM;
-use crate::plan::{BomRow, CrossingRecord, OpeningRecord, Plan};
+use crate::plan::{BomRow, CrossingRecord, LamellaRecord, OpeningRecord, Plan};
 use crate::project::model::{Family, Grain, Hardware, Material};
 use std::collections::BTreeMap;
 
@@ -86,51 +87,111 @@ pub fn cut_list(plan: &Plan, materials: &[Material]) -> Vec<u8> {
         let Some(member) = index.member(&lamella.member) else {
             continue;
         };
-        let notches = lamella
-            .openings
-            .iter()
-            .filter(|opening| matches!(opening, OpeningRecord::Notch { .. }))
-            .count();
         let grain = materials
             .iter()
             .find(|m| m.name == lamella.material)
             .map(|m| m.grain);
-        let place = places.get(lamella.id.as_str());
-        table.row([
-            lamella.id.clone(),
-            member.patch.clone(),
-            match member.family {
-                Family::U => "u",
-                Family::V => "v",
-            }
-            .to_owned(),
-            member.index.to_string(),
-            "1".to_owned(),
-            "1".to_owned(),
-            lamella.material.clone(),
-            fixed(lamella.thickness * MM, 2),
-            fixed(lamella.width * MM, 2),
-            fixed(lamella.length * MM, 2),
-            match grain {
-                Some(Grain::Along) => "along",
-                Some(Grain::Across) => "across",
-                Some(Grain::None) => "none",
-                None => "",
-            }
-            .to_owned(),
-            (lamella.openings.len() - notches).to_string(),
-            notches.to_string(),
-            "0".to_owned(),
-            fixed(lamella.mass * 1e3, 2),
-            String::new(),
-            place.map_or_else(String::new, |place| place.sheet.to_owned()),
-            place.map_or_else(String::new, |place| place.row.to_string()),
-            optional(place.map(|place| place.x * MM), 2),
-            optional(place.map(|place| place.y * MM), 2),
-            lamella.id.clone(),
-        ]);
+        let row = |table: &mut Table, part: &PartRow| {
+            let place = places.get(part.id.as_str());
+            table.row([
+                part.id.clone(),
+                member.patch.clone(),
+                match member.family {
+                    Family::U => "u",
+                    Family::V => "v",
+                }
+                .to_owned(),
+                member.index.to_string(),
+                part.piece.clone(),
+                "1".to_owned(),
+                lamella.material.clone(),
+                fixed(lamella.thickness * MM, 2),
+                fixed(lamella.width * MM, 2),
+                fixed(part.length, 2),
+                match grain {
+                    Some(Grain::Along) => "along",
+                    Some(Grain::Across) => "across",
+                    Some(Grain::None) => "none",
+                    None => "",
+                }
+                .to_owned(),
+                part.holes.to_string(),
+                part.notches.to_string(),
+                part.joints.to_string(),
+                fixed(part.mass * 1e3, 2),
+                String::new(),
+                place.map_or_else(String::new, |place| place.sheet.to_owned()),
+                place.map_or_else(String::new, |place| place.row.to_string()),
+                optional(place.map(|place| place.x * MM), 2),
+                optional(place.map(|place| place.y * MM), 2),
+                part.id.clone(),
+            ]);
+        };
+        for part in part_rows(lamella) {
+            row(&mut table, &part);
+        }
     }
     table.finish()
+}
+
+/// What the cut list says of a part besides what it has from its lamella.
+struct PartRow {
+    id: String,
+    /// Its number along the lamella; `plate` for plates.
+    piece: String,
+    /// Millimetres.
+    length: f64,
+    holes: usize,
+    notches: usize,
+    /// Joints at its ends.
+    joints: usize,
+    /// Kilograms; what a joint adds or takes is left out.
+    mass: f64,
+}
+
+/// Pieces and plates of a lamella. Masses of pieces add up to the lamella's.
+fn part_rows(lamella: &LamellaRecord) -> Vec<PartRow> {
+    let pieces = pieces::pieces(lamella);
+    let whole: f64 = lamella.length * MM;
+    let mut rows: Vec<PartRow> = pieces
+        .iter()
+        .enumerate()
+        .map(|(i, piece)| {
+            let is_notch = |o: &&OpeningRecord| matches!(o, OpeningRecord::Notch { .. });
+            let notches = piece.openings().filter(is_notch).count();
+            let [from, to] = lamella
+                .pieces
+                .get(i)
+                .map_or([0.0, whole], |record| [record.from * MM, record.to * MM]);
+            PartRow {
+                id: piece.id.to_owned(),
+                piece: (i + 1).to_string(),
+                length: match lamella.pieces.as_slice() {
+                    [] => whole,
+                    _ => piece.length(),
+                },
+                holes: piece.openings().count() - notches + piece.screws().len(),
+                notches,
+                joints: [piece.start, piece.end]
+                    .iter()
+                    .filter(|end| **end != End::Round)
+                    .count(),
+                mass: lamella.mass * (to - from) / whole,
+            }
+        })
+        .collect();
+    let gross = lamella.width * lamella.length;
+    let density = lamella.mass / gross;
+    rows.extend(pieces::plates(lamella).into_iter().map(|plate| PartRow {
+        piece: "plate".to_owned(),
+        length: plate.to - plate.from,
+        holes: plate.joint.screws.len(),
+        notches: 0,
+        joints: 1,
+        mass: density * lamella.width * (plate.to - plate.from) / MM,
+        id: plate.id,
+    }));
+    rows
 }
 
 /// One line a crossing: where it is, how it slides, what holds it.

@@ -33,6 +33,8 @@ pub struct Plan {
     pub lamellae: Vec<LamellaRecord>,
     /// Panels with their parts.
     pub sheets: Vec<SheetRecord>,
+    /// What was needed of each material and thickness, and how good that is.
+    pub nesting: Vec<NestingRecord>,
     /// Foils between lamellae, in the order of assembly.
     pub stickers: Vec<StickerRecord>,
     /// What the structure stands on.
@@ -350,14 +352,23 @@ pub struct PieceRecord {
 }
 
 /// How two pieces are joined.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointRecord {
     /// Fingers, scarf or plate.
     pub kind: SpliceKind,
-    /// Length that the joint takes along the lamella, metres.
+    /// Length that the joint takes along the lamella, metres: of the fingers, the scarf or the
+    /// plate.
     #[serde(serialize_with = "round::metres")]
     pub length: f64,
+    /// Fingers of each of the two pieces; none for other joints.
+    pub fingers: u32,
+    /// Screws through lamella and plate, from the start of the lamella; none for other joints.
+    #[serde(serialize_with = "round::metres")]
+    pub screws: Vec<f64>,
+    /// Cut diameter of the holes for the screws, metres; 0 without screws.
+    #[serde(serialize_with = "round::metres")]
+    pub hole: f64,
 }
 
 /// An opening of a lamella. Positions are arc lengths from the start of the member, metres.
@@ -420,8 +431,54 @@ pub struct SheetRecord {
     /// Share of the panel's area that becomes parts.
     #[serde(serialize_with = "round::share")]
     pub yield_share: f64,
+    /// Width of the cut that the drawings compensate, metres; 0 for nominal geometry.
+    #[serde(serialize_with = "round::metres")]
+    pub kerf: f64,
     /// Parts by id.
     pub parts: Vec<PlacedPart>,
+    /// Where the panel lies on the bed, step by step as it is pushed through the machine; none
+    /// for a panel that the bed takes as a whole.
+    pub windows: Vec<WindowRecord>,
+}
+
+/// A stretch of a panel that lies on the bed at one time, metres along the panel.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WindowRecord {
+    /// Where the bed begins; it is as far from the beginning of the window before as the panel
+    /// is pushed.
+    #[serde(serialize_with = "round::metres")]
+    pub from: f64,
+    /// Where the bed ends.
+    #[serde(serialize_with = "round::metres")]
+    pub to: f64,
+}
+
+/// What was needed of one material and thickness.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NestingRecord {
+    /// Name of the material.
+    pub material: String,
+    /// Metres.
+    #[serde(serialize_with = "round::metres")]
+    pub thickness: f64,
+    /// Sheets to cut.
+    pub sheets: u32,
+    /// No nesting in rows can do with fewer sheets of this size.
+    pub sheets_bound: u32,
+    /// Rows of parts on all sheets.
+    pub rows: u32,
+    /// No nesting in rows can do with fewer rows.
+    pub rows_bound: u32,
+    /// Panels to buy.
+    pub panels: u32,
+    /// Area of parts over area of sheets.
+    #[serde(serialize_with = "round::share")]
+    pub yield_share: f64,
+    /// The yield of a nesting that reaches both bounds: no nesting in rows has a higher one.
+    #[serde(serialize_with = "round::share")]
+    pub yield_bound: f64,
 }
 
 /// A part on a sheet: its lower left corner, metres; the part lies along the length.
@@ -579,6 +636,7 @@ impl Default for Plan {
             stickers: Vec::new(),
             supports: Vec::new(),
             sheets: Vec::new(),
+            nesting: Vec::new(),
             bill_of_materials: Vec::new(),
             diagnostics: Vec::new(),
         }

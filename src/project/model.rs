@@ -331,6 +331,9 @@ pub enum ColourPreset {
     RedCut,
     /// Blue cuts, red scores, black engraves.
     BlueCut,
+    /// A colour for every layer, for shops that go by the layers' names: red outlines, blue
+    /// openings, green scores, black engraves.
+    ByLayer,
 }
 
 /// How a long lamella is joined.

@@ -195,6 +195,7 @@ pub(crate) fn plan(name: &str, patches: &[Patch], section: &Section) -> Plan {
         crossings: Vec::new(),
         lamellae: Vec::new(),
         sheets: Vec::new(),
+        nesting: Vec::new(),
         stickers: Vec::new(),
         supports: Vec::new(),
         bill_of_materials: Vec::new(),

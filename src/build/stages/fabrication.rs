@@ -4,11 +4,38 @@ use super::{judged, outcome, plain};
 use crate::build::{Failure, Files, Node, Numerics, Stage};
 use crate::diagnostics::{Checked, Warned};
 use crate::fabrication::bom::{self, Shopping};
-use crate::fabrication::nesting::{Blank, Nest, Settings, nest};
+use crate::fabrication::coupon::CouponSection;
+use crate::fabrication::nesting::{Nest, Settings, nest};
+use crate::fabrication::pieces::blanks;
+use crate::fabrication::splicing::{Rules, Spliced, splice};
 use crate::fabrication::{self as outputs, Inputs, OutputFile};
 use crate::plan::{BomRow, Plan, bind, to_ron};
 use crate::project::model::{Fabrication, Grain, Hardware, Material, Stock};
 use serde::Serialize;
+
+/// Pieces of lamellae that are longer than the stock.
+pub(in crate::build) const SPLICES: Stage<Rules, Vec<Node<Plan>>, Vec<Spliced>> = Stage {
+    name: "splices",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |rules, chapters, _| outcome(splice(&bind("", chapters.into_iter()), rules)),
+};
+
+/// The chapter of a patch with the pieces of its lamellae.
+pub(in crate::build) const SPLICED: Stage<(), (Node<Plan>, Node<Vec<Spliced>>), Plan> = Stage {
+    name: "spliced",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |(), (chapter, splices), _| {
+        let mut chapter = chapter.clone();
+        for lamella in &mut chapter.lamellae {
+            if let Some(found) = splices.iter().find(|s| s.lamella == lamella.id) {
+                lamella.pieces.clone_from(&found.pieces);
+            }
+        }
+        plain(chapter)
+    },
+};
 
 /// What nesting depends on besides the lamellae.
 #[derive(Debug, Serialize)]
@@ -21,25 +48,15 @@ pub(in crate::build) struct NestInput {
 /// Sheets of all lamellae, once no workshop objects to one of them.
 pub(in crate::build) const NEST: Stage<NestInput, (Vec<Node<Plan>>, Vec<Node<()>>), Nest> = Stage {
     name: "nest",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, (chapters, _), _| {
         let grain = |material: &str| {
             let known = input.grains.iter().find(|(name, _)| name == material);
             known.map_or(Grain::Along, |(_, grain)| *grain)
         };
-        let blanks: Vec<Blank> = chapters
-            .iter()
-            .flat_map(|chapter| &chapter.lamellae)
-            .map(|lamella| Blank {
-                id: lamella.id.clone(),
-                material: lamella.material.clone(),
-                thickness: lamella.thickness,
-                length: lamella.length,
-                width: lamella.width,
-                grain: grain(&lamella.material),
-            })
-            .collect();
+        let lamellae = chapters.iter().flat_map(|chapter| &chapter.lamellae);
+        let blanks = blanks(lamellae, grain);
         outcome(nest(&blanks, &input.settings))
     },
 };
@@ -73,7 +90,7 @@ pub(in crate::build) const BILL: Stage<BillInput, (Vec<Node<Plan>>, Node<Nest>),
 /// `plan.ron`.
 pub(in crate::build) const PLAN_FILE: Stage<(), Node<Plan>, Files> = Stage {
     name: "plan-file",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |(), plan, _| plain(Files::new().with("plan.ron", to_ron(plan))),
 };
@@ -116,7 +133,7 @@ pub(in crate::build) const CLADDING_FILES: Stage<(), Node<Plan>, Files> = Stage 
 /// The flat layout of a patch.
 pub(in crate::build) const LAYOUT_FILES: Stage<DrawingInput, Node<Plan>, Files> = Stage {
     name: "layout-files",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, chapter, _| {
         let plan = bind(&input.name, std::iter::once(chapter));
@@ -140,26 +157,64 @@ pub(in crate::build) const ABOVE_FILES: Stage<String, (Node<Plan>, Vec<Node<Plan
 pub(in crate::build) const SHEET_FILES: Stage<DrawingInput, (Vec<Node<Plan>>, Node<Nest>), Files> =
     Stage {
         name: "sheet-files",
-        version: 1,
+        version: 3,
         numerics: Numerics::Portable,
         run: |input, (chapters, nest), _| {
             let mut plan = bind(&input.name, chapters.into_iter());
             plan.sheets.clone_from(&nest.sheets);
+            plan.nesting = nest.records();
             let Warned {
                 value: parts,
-                warnings,
+                mut warnings,
             } = outputs::parts(&plan, input.inputs());
             let by_id = parts.iter().map(|part| (part.id.as_str(), part)).collect();
             let mut made = Files::new();
-            for sheet in &plan.sheets {
-                let drawn = outputs::sheet_files(&plan, sheet, &by_id, input.inputs());
-                for OutputFile { path, bytes } in drawn.map_err(Failure::Errors)?.value {
+            let mut take = |drawn: Checked<Vec<OutputFile>>| {
+                let drawn = drawn.map_err(Failure::Errors)?;
+                warnings.extend(drawn.warnings);
+                for OutputFile { path, bytes } in drawn.value {
                     made.push(path, bytes);
                 }
+                Ok::<(), Failure>(())
+            };
+            for sheet in &plan.sheets {
+                take(outputs::sheet_files(&plan, sheet, &by_id, input.inputs()))?;
             }
+            take(outputs::overview_files(&plan, &by_id, input.inputs()))?;
             judged(made, warnings)
         },
     };
+
+/// Every part of a patch as a file of its own.
+pub(in crate::build) const PART_FILES: Stage<DrawingInput, Node<Plan>, Files> = Stage {
+    name: "part-files",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, chapter, _| files(outputs::part_files(chapter, input.inputs())),
+};
+
+/// What coupons depend on.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct CouponInput {
+    pub(in crate::build) sections: Vec<CouponSection>,
+    pub(in crate::build) hardware: Hardware,
+    pub(in crate::build) fabrication: Fabrication,
+}
+
+/// Test pieces for kerf and fit.
+pub(in crate::build) const COUPON_FILES: Stage<CouponInput, (), Files> = Stage {
+    name: "coupon-files",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, (), _| {
+        let inputs = Inputs {
+            hardware: &input.hardware,
+            fabrication: &input.fabrication,
+            materials: &[],
+        };
+        files(outputs::coupon_files(&input.sections, inputs))
+    },
+};
 
 /// The tables.
 pub(in crate::build) const TABLE_FILES: Stage<
@@ -168,7 +223,7 @@ pub(in crate::build) const TABLE_FILES: Stage<
     Files,
 > = Stage {
     name: "table-files",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, (chapters, nest, bill), _| {
         let mut plan = bind(&input.name, chapters.into_iter());

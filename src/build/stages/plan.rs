@@ -42,7 +42,7 @@ type SkeletonNeeds = (
 /// Surface, points and edges.
 pub(in crate::build) const SKELETON: Stage<SkeletonInput, SkeletonNeeds, Plan> = Stage {
     name: "skeleton",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (surface, curvature, points, lines), _| {
         let points = input
@@ -86,7 +86,7 @@ type ChapterNeeds = (
 /// All records of a patch.
 pub(in crate::build) const CHAPTER: Stage<ChapterInput, ChapterNeeds, Plan> = Stage {
     name: "chapter",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (domain, clad, feasibility, feasible, u, v, crossings, lamellae), _| {
         let names = PatchNames {
@@ -127,12 +127,13 @@ type PlanNeeds = (
 /// The plan.
 pub(in crate::build) const PLAN: Stage<PlanInput, PlanNeeds, Plan> = Stage {
     name: "plan",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (skeleton, chapters, nest, bill, warnings), _| {
         let all = std::iter::once(skeleton).chain(chapters);
         let mut plan = bind(&input.name, all);
         plan.sheets.clone_from(&nest.sheets);
+        plan.nesting = nest.records();
         plan.bill_of_materials.clone_from(bill);
         for (subject, told) in input.subjects.iter().zip(warnings) {
             plan.diagnostics.extend(told.iter().map(|diagnostic| {

@@ -9,4 +9,5 @@ pub(super) mod graph;
 pub(super) mod init;
 pub(super) mod materials;
 pub(super) mod schema;
+pub(super) mod verify;
 pub(super) mod watch;

@@ -26,6 +26,22 @@ pub const OPENINGS_MEET: Code = Code::new("E0710");
 pub const OPENING_TOO_WIDE: Code = Code::new("E0711");
 /// An opening breaks through the end.
 pub const OPENING_AT_END: Code = Code::new("E0712");
+/// No place for a joint of a lamella.
+pub const NO_PLACE_FOR_SPLICE: Code = Code::new("E0720");
+/// There is no plan to compare with.
+pub const PLAN_UNREADABLE: Code = Code::new("E0730");
+/// A file of the plan is not there.
+pub const FILE_MISSING: Code = Code::new("E0731");
+/// A file is no drawing or table.
+pub const FILE_UNREADABLE: Code = Code::new("E0732");
+/// A cut file is of another plan.
+pub const FILE_UNEXPECTED: Code = Code::new("E0733");
+/// A part is not drawn as the plan has it.
+pub const PART_DIFFERS: Code = Code::new("E0734");
+/// DXF and SVG show different things.
+pub const DRAWINGS_DIFFER: Code = Code::new("E0735");
+/// A table says other things than the plan.
+pub const TABLE_DIFFERS: Code = Code::new("E0736");
 /// A label found no place.
 pub const LABEL_OMITTED: Code = Code::new("W0720");
 /// A label has characters without strokes.
@@ -46,6 +62,10 @@ pub const WASHER_WIDE: Code = Code::new("W0727");
 pub const GRAIN_ACROSS: Code = Code::new("W0728");
 /// Parts lie close together.
 pub const NARROW_SPACING: Code = Code::new("W0729");
+/// A joint stands close to a crossing.
+pub const SPLICE_NEAR_CROSSING: Code = Code::new("W0730");
+/// No wood for the pins of a panel that is pushed on.
+pub const NO_REGISTRATION: Code = Code::new("W0731");
 
 pub(super) const CODES: &[CodeInfo] = &[
     CodeInfo {
@@ -143,6 +163,70 @@ when it is cut. Choose wider lamellae, or a thinner bolt and shell.",
 width of the lamella.",
     },
     CodeInfo {
+        code: "E0720",
+        name: "no-place-for-splice",
+        title: "a lamella cannot be divided clear of its crossings",
+        text: "A lamella that is longer than the stock is joined from pieces. A joint keeps one and \
+a half bolt diameters from every opening, plates also keep clear of crossing lamellae, and every \
+piece has to fit on a panel. Where crossings are so dense that no stretch between them takes a \
+joint, the lamella cannot be spliced.\n\nChoose a shorter joint (fingers are the shortest), fewer \
+members of the other family, or longer stock.",
+    },
+    CodeInfo {
+        code: "E0730",
+        name: "plan-unreadable",
+        title: "there is no plan to compare files with",
+        text: "`egg verify` takes the output folder of a build and compares its files with \
+`plan.ron` in it. The folder has none, or one that is damaged or of a newer program.",
+    },
+    CodeInfo {
+        code: "E0731",
+        name: "file-missing",
+        title: "a file that belongs to the plan is not there",
+        text: "A build writes a cut file for every sheet, or for every window of a sheet that is \
+longer than the bed, a file for every part, and the tables. One of them is missing from the folder. \
+Build the project again: files that are there already are left alone.",
+    },
+    CodeInfo {
+        code: "E0732",
+        name: "file-unreadable",
+        title: "a drawing or table cannot be read",
+        text: "The file is cut short, was converted by another program, or holds what cut files of \
+egg never hold: splines, texts, blocks. Build the project again.",
+    },
+    CodeInfo {
+        code: "E0733",
+        name: "file-unexpected",
+        title: "a cut file belongs to no sheet of the plan",
+        text: "The folder holds a cut file that the plan does not have, most likely of an older \
+build that was copied here. Whoever cuts everything in the folder would cut parts that fit nowhere. \
+Remove it.",
+    },
+    CodeInfo {
+        code: "E0734",
+        name: "part-differs",
+        title: "a part is not drawn as the plan has it",
+        text: "An outline or an opening in the cut file is missing, too many, of another size or at \
+another place than the plan says: the file was edited, scaled or belongs to another build. Parts \
+that are cut from it will not fit. Build the project again; what shall differ belongs into the \
+project file.",
+    },
+    CodeInfo {
+        code: "E0735",
+        name: "drawings-differ",
+        title: "the DXF and the SVG of a drawing differ",
+        text: "Both are written from one drawing and agree to a thousandth of a millimetre. One of \
+them was changed since, or belongs to another build. Build the project again.",
+    },
+    CodeInfo {
+        code: "E0736",
+        name: "table-differs",
+        title: "a table says other things than the plan",
+        text: "A row of a CSV file is missing, too many, or has another number than the plan. \
+Spreadsheets that store a table again may round numbers or turn ids into dates. Build the project \
+again, and edit a copy.",
+    },
+    CodeInfo {
         code: "W0720",
         name: "label-omitted",
         title: "a label found no place on its lamella",
@@ -217,5 +301,23 @@ across the lamellae. Turn the panel so that the grain of the faces runs along th
         title: "parts lie close together on the sheet",
         text: "A thin strip of waste between two cuts chars, bends and may move the parts. Half \
 the thickness of the sheet plus the kerf, at least 2 mm, is a usual `spacing`.",
+    },
+    CodeInfo {
+        code: "W0730",
+        name: "splice-near-crossing",
+        title: "a joint stands close to an opening",
+        text: "Openings and joints both weaken a lamella, and a joint beside a bolt takes the \
+bolt's load. Twice the width of the lamella, and at least 30 mm, are a usual distance. The joints \
+stand where the lamella bends and twists least and other joints are far; here no such place is \
+farther from a crossing.",
+    },
+    CodeInfo {
+        code: "W0731",
+        name: "no-registration",
+        title: "no wood for the pins of a panel that is pushed on",
+        text: "A panel that is longer than the bed is cut in windows. Two holes in the border of \
+the sheet, cut in one window, take pins that hold the panel in place for the next one. Where the \
+margin is narrower than 5 mm there is no wood for them: align the panel by the marks on the guide \
+layer, or widen `margin` in `[fabrication]`.",
     },
 ];

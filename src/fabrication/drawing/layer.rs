@@ -147,6 +147,7 @@ const HAIRLINE: f64 = 0.01;
 const RED: ([u8; 3], u8) = ([255, 0, 0], 1);
 const MAGENTA: ([u8; 3], u8) = ([255, 0, 255], 6);
 const BLUE: ([u8; 3], u8) = ([0, 0, 255], 5);
+const GREEN: ([u8; 3], u8) = ([0, 255, 0], 3);
 /// Colour 7 is drawn black on white and white on black.
 const BLACK: ([u8; 3], u8) = ([0, 0, 0], 7);
 const GREY: ([u8; 3], u8) = ([128, 128, 128], 8);
@@ -179,15 +180,17 @@ fn style((rgb, aci): ([u8; 3], u8), pen: f64, fill: Option<[u8; 3]>) -> Style {
     }
 }
 
-/// Cut and score swap between the presets; engraving is black, what no tool shall touch is the
-/// remaining primary that shows on a screen.
+/// Cut and score swap between the first two presets; the third tells openings from outlines. Engraving
+/// is black, what no tool shall touch is the remaining primary that shows on a screen.
 fn cut_style(preset: ColourPreset, layer: Layer) -> Style {
-    let (cut, score) = match preset {
-        ColourPreset::RedCut => (RED, BLUE),
-        ColourPreset::BlueCut => (BLUE, RED),
+    let (outer, inner, score) = match preset {
+        ColourPreset::RedCut => (RED, RED, BLUE),
+        ColourPreset::BlueCut => (BLUE, BLUE, RED),
+        ColourPreset::ByLayer => (RED, BLUE, GREEN),
     };
     let colour = match layer {
-        Layer::CutInner | Layer::CutOuter => cut,
+        Layer::CutInner => inner,
+        Layer::CutOuter => outer,
         Layer::Score => score,
         Layer::Engrave => BLACK,
         _ => MAGENTA,
@@ -223,5 +226,35 @@ fn plain_people_style(layer: Layer) -> Style {
         Layer::Label | Layer::Title | Layer::Engrave => style(BLACK, 0.3, None),
         Layer::CutInner | Layer::CutOuter => style(RED, 0.25, None),
         Layer::Halo => style((PAPER, 7), 1.0, None),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn presets_give_every_tool_a_pure_colour_of_its_own() {
+        use ColourPreset::{BlueCut, ByLayer, RedCut};
+        let tools = [
+            Layer::Engrave,
+            Layer::Score,
+            Layer::CutInner,
+            Layer::CutOuter,
+        ];
+        for (preset, colours) in [(RedCut, 3), (BlueCut, 3), (ByLayer, 4)] {
+            let mut seen: Vec<[u8; 3]> = Vec::new();
+            for layer in tools {
+                let style = Palette::Cut(preset).style(layer);
+                assert!(style.rgb.iter().all(|c| matches!(c, 0 | 255)), "{layer:?}");
+                assert_eq!(style.fill, None);
+                if !seen.contains(&style.rgb) {
+                    seen.push(style.rgb);
+                }
+            }
+            assert_eq!(seen.len(), colours, "{preset:?}");
+            let guide = Palette::Cut(preset).style(Layer::Guide).rgb;
+            assert!(!seen.contains(&guide));
+        }
     }
 }
