@@ -22,7 +22,7 @@
 //! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
 //! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |
 //! | `chapter` | patch | names, material | the patch's results |
-//! | `splices` | structure | splice, stock, bed, margins, bolt, clearance, grain | chapters |
+//! | `splices` | structure | splice, stock, bed, margins, bolt, clearance, grain, stiffness, strength | chapters |
 //! | `spliced` | patch | | `chapter`, `splices` |
 //! | `workshop` | patch | hardware, fabrication, materials | `chapter` |
 //! | `nest` | structure | stock, bed, margins, kerf, grain | chapters |
@@ -57,7 +57,7 @@ use crate::cladding::Clad;
 use crate::diagnostics::{KeyPath, SpanTable};
 use crate::fabrication::coupon::{self, CouponSection};
 use crate::fabrication::nesting::Settings;
-use crate::fabrication::splicing::Rules;
+use crate::fabrication::splicing::{self, Rules};
 use crate::grid::Section;
 use crate::layout::{Domain, Network, Side, edge_id};
 use crate::members::Member;
@@ -262,16 +262,21 @@ fn spliced(
         kind,
         bolt: project.hardware.bolt.diameter,
         clearance: project.fabrication.clearance,
-        longest: project
+        stock: project
             .materials
             .iter()
-            .map(|m| (m.name.clone(), settings.longest(m.grain)))
+            .map(|m| splicing::Stock {
+                material: m.name.clone(),
+                longest: settings.longest(m.grain),
+                elastic_modulus: m.elastic_modulus,
+                bending_strength: m.bending_strength,
+            })
             .collect(),
     };
     let splices = graph.add(&SPLICES, "", rules, chapters.clone());
     for (field, key) in [
         ("kind", "fabrication.splice"),
-        ("longest", "fabrication.stock"),
+        ("stock", "fabrication.stock"),
         ("bolt", "hardware.bolt"),
         ("clearance", "fabrication.clearance"),
     ] {

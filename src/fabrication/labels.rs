@@ -278,6 +278,12 @@ mod tests {
         assert!(labels.omitted.is_empty());
         assert_eq!(labels.texts.len(), 5);
         assert!(labels.texts.iter().all(|t| t.height == 3.0));
+        // Nothing covers them: no sticker is glued over a label.
+        for text in &labels.texts {
+            let bounds = text.bounds();
+            let covered = |&at: &f64| bounds.max[0] > at - 6.0 && bounds.min[0] < at + 6.0;
+            assert!(![12.0, 100.0, 288.0].iter().any(covered), "{text:?}");
+        }
     }
 
     #[test]
@@ -301,7 +307,7 @@ mod tests {
     #[test]
     fn a_notch_is_labelled_with_an_arrow_or_at_least_with_a_name() {
         let notched = |length: f64| {
-            let mut strip = strip(length, 12.0, &[40.0]);
+            let mut strip = strip(length, 12.0, &[0.5 * length]);
             strip.openings[0].slide = Some("←");
             place(&strip, ["west.u03", "→ TOP"], 3.0)
         };
@@ -309,7 +315,11 @@ mod tests {
         assert!(roomy.texts.iter().any(|t| t.content == "v05←"));
         assert!(roomy.omitted.is_empty());
         // Between the notch and the rounding: room for the name alone.
-        let tight = notched(57.5);
+        let name = stroke_font::width("v05") * LEAST_HEIGHT;
+        let arrow = stroke_font::width("v05←") * LEAST_HEIGHT;
+        // Round ends, the notch, and what labels keep from both.
+        let taken = 12.0 + 4.0 + 2.0 * CLEAR;
+        let tight = notched(taken + name + arrow);
         assert!(tight.texts.iter().any(|t| t.content == "v05"), "{tight:?}");
         assert!(tight.omitted.contains(&"v05←".to_owned()));
     }

@@ -28,6 +28,9 @@ pub const PIN: f64 = 3.0;
 /// Least width of the wood around a pin, millimetres.
 const PIN_BORDER: f64 = 5.0;
 
+/// From the edge of the panel to a pin at most: pins that are far apart hold the panel straight.
+const PIN_FROM_EDGE: f64 = 10.0;
+
 /// A stretch of a panel on the bed, millimetres along the panel.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Window {
@@ -162,7 +165,8 @@ pub fn pins(sheet: &SheetRecord, [bottom, top]: [f64; 2], pair: [Window; 2]) -> 
     if bottom < PIN_BORDER || above < PIN_BORDER {
         return Vec::new();
     }
-    vec![[x, 0.5 * bottom], [x, sheet.width * MM - 0.5 * above]]
+    let [low, high] = [bottom, above].map(|border| (0.5 * border).min(PIN_FROM_EDGE));
+    vec![[x, low], [x, sheet.width * MM - high]]
 }
 
 /// The stretch of a closed path over a range of x: itself, or open chains.

@@ -199,7 +199,11 @@ pub fn overview(sheet: &SheetRecord, parts: &Parts<'_>, style: &SheetStyle<'_>) 
     }
     borders(&mut drawing, sheet);
     let goodness = style.goodness.map_or_else(String::new, |goodness| {
-        format!(" ({} sheets, at least {})", goodness.sheets, goodness.bound)
+        let plural = if goodness.sheets == 1 { "" } else { "s" };
+        format!(
+            " ({} sheet{plural}, at least {})",
+            goodness.sheets, goodness.bound
+        )
     });
     let pushed = match sheet.windows.as_slice() {
         [first, second, ..] => format!(
@@ -246,13 +250,10 @@ fn borders(drawing: &mut Drawing, sheet: &SheetRecord) {
                 drawing.draw(Layer::Axis, "", line);
             }
         }
-        let text = Text::new(
-            format!("{}", i + 1),
-            [0.5 * (window.from + window.to), width - 1.3 * height],
-            height,
-        );
-        drawing.draw(Layer::Halo, "", text.clone().anchored(Anchor::Middle));
-        drawing.draw(Layer::Title, "", text.anchored(Anchor::Middle));
+        let at = [window.from + height, width - 1.3 * height];
+        let text = Text::new(format!("{} →", i + 1), at, height);
+        drawing.draw(Layer::Halo, "", text.clone());
+        drawing.draw(Layer::Title, "", text);
     }
 }
 

@@ -32,12 +32,17 @@ impl Job {
     pub(crate) fn prepare(&mut self) {
         let settings = nesting::Settings::new(&self.fabrication);
         if let Some(kind) = self.fabrication.splice {
-            let longest = |m: &Material| (m.name.clone(), settings.longest(m.grain));
+            let stock = |m: &Material| splicing::Stock {
+                material: m.name.clone(),
+                longest: settings.longest(m.grain),
+                elastic_modulus: m.elastic_modulus,
+                bending_strength: m.bending_strength,
+            };
             let rules = Rules {
                 kind,
                 bolt: self.hardware.bolt.diameter,
                 clearance: self.fabrication.clearance,
-                longest: self.materials.iter().map(longest).collect(),
+                stock: self.materials.iter().map(stock).collect(),
             };
             let spliced = splicing::splice(&self.plan, &rules).expect("there are places");
             for splice in spliced.value {

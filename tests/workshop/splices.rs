@@ -5,7 +5,7 @@ use crate::common::{python, synthetic};
 use crate::{golden, readers};
 use egg::fabrication::nesting::Settings;
 use egg::fabrication::pieces::{pieces, plates};
-use egg::fabrication::splicing::{Rules, Spliced, splice};
+use egg::fabrication::splicing::{Rules, Spliced, Stock, splice};
 use egg::plan::{OpeningRecord, Plan};
 use egg::project::model::SpliceKind;
 
@@ -16,7 +16,12 @@ fn rules(kind: SpliceKind, longest: f64) -> Rules {
         kind,
         bolt: 0.004,
         clearance: 0.0002,
-        longest: vec![("poplar-plywood".to_owned(), longest)],
+        stock: vec![Stock {
+            material: "poplar-plywood".to_owned(),
+            longest,
+            elastic_modulus: 7.6e9,
+            bending_strength: 40e6,
+        }],
     }
 }
 
@@ -153,6 +158,28 @@ fn a_lamella_that_cannot_be_divided_is_told_with_what_to_do() {
     golden(
         "no-place-for-splice.txt",
         &format!("{}\n  help: {help}", told[0].message),
+    );
+}
+
+#[test]
+fn joints_that_are_bent_too_far_or_stand_close_to_a_crossing_are_told() {
+    let plan = synthetic::pavilion();
+    let warnings = |rules: &Rules| splice(&plan, rules).expect("there are places").warnings;
+    assert_eq!(warnings(&rules(SpliceKind::Scarf, 1.28)), []);
+    let mut weak = rules(SpliceKind::Finger, 1.28);
+    weak.stock[0].bending_strength = 1e6;
+    let told = warnings(&weak);
+    assert_eq!(told.len(), 1);
+    assert_eq!(told[0].code.as_str(), "W0732");
+    golden("splice-overstressed.txt", &told[0].message);
+    // Plates are long: there is not always room for them.
+    let told = warnings(&rules(SpliceKind::Plate, 1.28));
+    golden(
+        "splice-near-crossing.txt",
+        &told
+            .iter()
+            .map(|d| format!("{}: {}\n", d.code, d.message))
+            .collect::<String>(),
     );
 }
 

@@ -74,3 +74,13 @@ fn a_border_without_wood_for_pins_is_told() {
     assert_eq!(told.len(), job.plan.sheets.len());
     golden("no-registration.txt", &told[0].message);
 }
+
+#[test]
+fn a_reader_finds_a_page_for_every_sheet() {
+    let job = Job::spliced(egg::project::model::SpliceKind::Finger);
+    let folder = job.write("pages");
+    let python = python::venv(&["pypdf==7.*"]);
+    let pages = folder.join("fabrication/pavilion_overview.pdf");
+    let told = python::read(&python, "pages.py", &[&pages]);
+    assert_eq!(told.trim(), format!("{} A3", job.plan.sheets.len()));
+}

@@ -66,6 +66,8 @@ pub const NARROW_SPACING: Code = Code::new("W0729");
 pub const SPLICE_NEAR_CROSSING: Code = Code::new("W0730");
 /// No wood for the pins of a panel that is pushed on.
 pub const NO_REGISTRATION: Code = Code::new("W0731");
+/// A joint is bent further than it bears.
+pub const SPLICE_OVERSTRESSED: Code = Code::new("W0732");
 
 pub(super) const CODES: &[CodeInfo] = &[
     CodeInfo {
@@ -319,5 +321,14 @@ farther from a crossing.",
 the sheet, cut in one window, take pins that hold the panel in place for the next one. Where the \
 margin is narrower than 5 mm there is no wood for them: align the panel by the marks on the guide \
 layer, or widen `margin` in `[fabrication]`.",
+    },
+    CodeInfo {
+        code: "W0732",
+        name: "splice-overstressed",
+        title: "a joint is bent further than it bears",
+        text: "Bending a lamella into the surface takes a stress of E κ t / 2. In a joint less of \
+the section carries it: half at the roots of fingers, what the holes leave of a plate, all of a scarf. \
+Here that is more than the bending strength of the material, although the joint stands where the \
+lamella bends least. Choose thinner lamellae, scarfs, or stock long enough to do without.",
     },
 ];

@@ -79,6 +79,16 @@ impl Joint {
         }
     }
 
+    /// Share of the section that carries where the joint is weakest: every second finger at
+    /// their roots, all of a scarf, the plate beside its holes.
+    pub(super) fn carrying(&self, width: f64) -> f64 {
+        match self.kind {
+            SpliceKind::Finger => 0.5,
+            SpliceKind::Scarf => 1.0,
+            SpliceKind::Plate => (1.0 - self.hole / width).max(0.01),
+        }
+    }
+
     /// How far a piece reaches over the middle.
     pub(super) fn reach(&self) -> f64 {
         match self.kind {
@@ -124,5 +134,6 @@ mod tests {
         assert!((c - 0.0105).abs() < 1e-12 && (d - c - 0.0168).abs() < 1e-12);
         assert!((0.5 * plate.length - d - 0.0105).abs() < 1e-12);
         assert_eq!(plate.reach(), 0.0);
+        assert!((plate.carrying(0.03) - 0.86).abs() < 1e-12);
     }
 }

@@ -42,8 +42,21 @@ pub struct Rules {
     pub bolt: f64,
     /// Their play, metres.
     pub clearance: f64,
-    /// Longest part that the stock gives, metres, by name of the material.
-    pub longest: Vec<(String, f64)>,
+    /// What is there to cut from.
+    pub stock: Vec<Stock>,
+}
+
+/// A material and the parts that it gives.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Stock {
+    /// Name of the material.
+    pub material: String,
+    /// Longest part, metres.
+    pub longest: f64,
+    /// Along the lamella, Pa.
+    pub elastic_modulus: f64,
+    /// Pa.
+    pub bending_strength: f64,
 }
 
 /// A lamella that is spliced.
@@ -69,15 +82,16 @@ const TWIST: f64 = 0.5;
 const STAGGER: f64 = 2.0;
 
 /// Pieces of every lamella that is longer than a part may be. Errors name lamellae that cannot
-/// be divided; warnings, joints that stand close to a crossing.
+/// be divided; warnings, joints that stand close to a crossing or are bent too far.
 pub fn splice(plan: &Plan, rules: &Rules) -> Checked<Vec<Spliced>> {
     let index = PlanIndex::new(plan);
     let mut found: Vec<Spliced> = Vec::new();
     let mut joints: Vec<Point3<f64>> = Vec::new();
-    let (mut errors, mut close) = (Vec::new(), Vec::new());
+    let (mut errors, mut close, mut bent) = (Vec::new(), Vec::new(), Vec::new());
     for lamella in &plan.lamellae {
-        let longest = rules.longest.iter().find(|(m, _)| *m == lamella.material);
-        let Some(&(_, longest)) = longest.filter(|(_, l)| *l > 0.0 && lamella.length > *l) else {
+        let stock = rules.stock.iter().find(|s| s.material == lamella.material);
+        let is_short = |s: &&Stock| s.longest > 0.0 && lamella.length > s.longest;
+        let Some(stock) = stock.filter(is_short) else {
             continue;
         };
         let joint = Joint::new(
@@ -94,7 +108,7 @@ pub fn splice(plan: &Plan, rules: &Rules) -> Checked<Vec<Spliced>> {
         };
         let limits = Limits {
             length: lamella.length,
-            longest,
+            longest: stock.longest,
             shortest: (APART_IN_WIDTHS * lamella.width).max(joint.length),
             reach: joint.reach(),
         };
@@ -102,18 +116,22 @@ pub fn splice(plan: &Plan, rules: &Rules) -> Checked<Vec<Spliced>> {
             Some(at) => {
                 joints.extend(at.iter().map(|x| site.place(*x)));
                 close.extend(at.iter().filter_map(|x| site.closeness(*x)));
+                bent.extend(at.iter().filter_map(|x| site.overstress(*x, &joint, stock)));
                 found.push(Spliced {
                     lamella: lamella.id.clone(),
                     pieces: pieces(lamella, &at, &joint),
                 });
             }
-            None => errors.push(impossible(lamella, &joint, longest)),
+            None => errors.push(impossible(lamella, &joint, stock.longest)),
         }
     }
     if errors.is_empty() {
         Ok(Warned {
             value: found,
-            warnings: near_crossings(close).into_iter().collect(),
+            warnings: near_crossings(close)
+                .into_iter()
+                .chain(overstressed(bent))
+                .collect(),
         })
     } else {
         Err(errors)
@@ -223,6 +241,21 @@ impl<'a> Site<'a> {
         Some(bend + twist + near + STAGGER * beside)
     }
 
+    /// A joint in which bending into the surface takes more stress than the material bears:
+    /// E κ t / 2 of the section that is left.
+    fn overstress(&self, x: f64, joint: &Joint, stock: &'a Stock) -> Option<Bent<'a>> {
+        let bend = self.curve.bend(self.on_member(x), self.chord);
+        let share = joint.carrying(self.lamella.width);
+        let stress = 0.5 * stock.elastic_modulus * bend * self.lamella.thickness / share;
+        (stress > stock.bending_strength).then_some(Bent {
+            lamella: &self.lamella.id,
+            material: &stock.material,
+            stress,
+            strength: stock.bending_strength,
+            share,
+        })
+    }
+
     /// A joint that is nearer to an opening than is usual: how near, and how near is usual.
     fn closeness(&self, x: f64) -> Option<Close<'a>> {
         let clear = self.clear(x);
@@ -232,6 +265,16 @@ impl<'a> Site<'a> {
             usual: self.near,
         })
     }
+}
+
+/// A joint that is bent further than it bears.
+struct Bent<'a> {
+    lamella: &'a str,
+    material: &'a str,
+    /// Pa.
+    stress: f64,
+    strength: f64,
+    share: f64,
 }
 
 struct Close<'a> {
@@ -321,6 +364,35 @@ fn near_crossings(close: Vec<Close<'_>>) -> Option<Diagnostic> {
                 worst.usual * MM
             ))
             .help("longer stock, or fewer members across, make room")
+            .about(worst.lamella),
+    )
+}
+
+/// The worst of the joints that are bent too far, and how many are.
+fn overstressed(bent: Vec<Bent<'_>>) -> Option<Diagnostic> {
+    let count = bent.len();
+    let worst = bent
+        .into_iter()
+        .max_by(|a, b| a.stress.total_cmp(&b.stress))?;
+    let others = match count {
+        1 => String::new(),
+        n => format!(" ({n} joints are bent too far)"),
+    };
+    let message = format!(
+        "the joint of `{}` is bent to {:.0} MPa, `{}` bears {:.0} MPa{others}",
+        worst.lamella,
+        worst.stress * 1e-6,
+        worst.material,
+        worst.strength * 1e-6
+    );
+    Some(
+        Diagnostic::warning(codes::SPLICE_OVERSTRESSED, message)
+            .at_key("fabrication.splice", "joints are asked for here")
+            .note(format!(
+                "{:.0} % of the section carry in the joint",
+                worst.share * 100.0
+            ))
+            .help("thinner lamellae, scarfs, or longer stock")
             .about(worst.lamella),
     )
 }
