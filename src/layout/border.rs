@@ -16,11 +16,13 @@ pub struct Bend {
     pub at: Point3,
 }
 
-/// A bend below this is the rounding of a border that was cut along a geodesic, radians.
-const STRAIGHT: f64 = 0.035;
+/// A bend below this is the rounding of a border that was cut along a geodesic, radians: five
+/// degrees over the length of a member, which a lamella follows.
+const STRAIGHT: f64 = 0.087;
 
-/// Whether a path bends around the border of the mesh by more than the two degrees that a straight
-/// strip of wood does not feel.
+/// Whether a path bends around the border of the mesh. A bend at a vertex is one on the surface and
+/// in space: along a border that is straight in space, the angles of the faces beside it scatter
+/// around the straight one.
 pub fn bend_at_border(mesh: &Mesh, path: &Path) -> Option<Bend> {
     let mut bend = Bend {
         total: 0.0,
@@ -37,7 +39,8 @@ pub fn bend_at_border(mesh: &Mesh, path: &Path) -> Option<Bend> {
         let place = |k: usize| path.points[k].position(mesh);
         let back = (path.faces[i - 1], place(i - 1) - place(i));
         let on = (path.faces[i], place(i + 1) - place(i));
-        let excess = (angle_in_fan(mesh, v, back, on) - PI).max(0.0);
+        let on_surface = (angle_in_fan(mesh, v, back, on) - PI).max(0.0);
+        let excess = on_surface.min(PI - angle(&back.1, &on.1));
         bend.total += excess;
         if excess > sharpest {
             sharpest = excess;
@@ -49,7 +52,6 @@ pub fn bend_at_border(mesh: &Mesh, path: &Path) -> Option<Bend> {
 
 /// The angle between two directions at a border vertex through the faces between them, radians.
 fn angle_in_fan(mesh: &Mesh, v: u32, one: (u32, Vector3), other: (u32, Vector3)) -> f64 {
-    let angle = |a: &Vector3, b: &Vector3| libm::atan2(a.cross(b).norm(), a.dot(b));
     let mut total = 0.0;
     let mut places = [0.0; 2];
     for h in mesh.outgoing(v) {
@@ -62,6 +64,10 @@ fn angle_in_fan(mesh: &Mesh, v: u32, one: (u32, Vector3), other: (u32, Vector3))
         total += angle(&along, &-mesh.edge_vector(HalfEdge::prev(h)));
     }
     f64::abs(places[0] - places[1])
+}
+
+fn angle(a: &Vector3, b: &Vector3) -> f64 {
+    libm::atan2(a.cross(b).norm(), a.dot(b))
 }
 
 /// A place on the border of a hole of the surface inside a patch, if there is one.
