@@ -32,7 +32,10 @@ fn main() {
         None => 3,
     };
     let folder = tempfile::tempdir().expect("a temporary folder");
-    println!("{:<28} {:>9} {:>12}", "from nothing", "least ms", "ms a patch");
+    println!(
+        "{:<28} {:>9} {:>12}",
+        "from nothing", "least ms", "ms a patch"
+    );
     for across in [2, 4, 8] {
         let patches = across * across;
         let mesh = folder.path().join(format!("crate-{patches}.obj"));
@@ -51,7 +54,10 @@ fn main() {
 fn row(what: &str, patches: u32, all: &[(Built, Duration)]) {
     let least = all.iter().map(|(_, took)| took).min().expect("a run");
     let least = 1e3 * least.as_secs_f64();
-    println!("{what:<28} {least:>9.0} {:>12.1}", least / f64::from(patches));
+    println!(
+        "{what:<28} {least:>9.0} {:>12.1}",
+        least / f64::from(patches)
+    );
 }
 
 /// Where the time of one build went: own times of stages, instances added up.
@@ -119,9 +125,8 @@ fn crate_mesh(across: u32) -> String {
 
 /// A patch on every square.
 fn crate_project(across: u32, mesh: &str) -> String {
-    let mut text = format!(
-        "[project]\nformat = 1\nunits = \"m\"\n[surface]\nmesh = \"{mesh}\"\n[points]\n"
-    );
+    let mut text =
+        format!("[project]\nformat = 1\nunits = \"m\"\n[surface]\nmesh = \"{mesh}\"\n[points]\n");
     for j in 0..=across {
         for i in 0..=across {
             let vertex = j * CELLS * (across * CELLS + 1) + i * CELLS;

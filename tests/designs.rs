@@ -2,7 +2,10 @@
 //! order, once the surface is known.
 
 #[path = "common/program.rs"]
-#[allow(dead_code, reason = "not every test needs everything that runs the program")]
+#[allow(
+    dead_code,
+    reason = "not every test needs everything that runs the program"
+)]
 mod program;
 
 use egg::diagnostics::codes;

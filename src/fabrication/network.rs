@@ -1,5 +1,5 @@
 //! The layout from above: anchors, sides and patches with their names, and which way the families
-//! of each patch run. Millimetres at full size, x and y of the surface.
+//! of each patch run. A picture that fits on a page, x and y of the surface.
 
 use super::drawing::{Anchor, Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text};
 use super::sheet::trim;
@@ -7,6 +7,9 @@ use super::units::{MM, round_length};
 use crate::plan::{EdgeRecord, PatchRecord, PointRecord};
 use serde::Serialize;
 use std::collections::BTreeMap;
+
+/// The longer side of the network on the page, millimetres.
+const PAGE: f64 = 240.0;
 
 /// A patch by the names of what frames it.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize)]
@@ -53,14 +56,17 @@ pub fn draw(
     if bounds.is_empty() {
         return drawing;
     }
-    let [width, height] = bounds.size();
-    let extent = width.max(height).max(1.0);
-    let border = extent / 9.0;
-    drawing.size = [width + 2.0 * border, height + 2.0 * border];
-    drawing.pen = extent / 500.0;
+    let size = bounds.size();
+    let full = size[0].max(size[1]).max(f64::MIN_POSITIVE);
+    let scale = PAGE / full;
+    let border = PAGE / 9.0;
+    drawing.size = size.map(|length| scale * length + 2.0 * border);
+    drawing.pen = PAGE / 500.0;
     let mut sketch = Sketch {
-        shift: [border - bounds.min[0], border - bounds.min[1]],
-        letters: extent / 50.0,
+        low: bounds.min,
+        scale,
+        border,
+        letters: PAGE / 50.0,
         drawing,
     };
     for edge in edges {
@@ -83,7 +89,7 @@ pub fn draw(
             );
         }
     }
-    sketch.scale_bar(project, border, extent);
+    sketch.scale_bar(project, full);
     sketch.drawing
 }
 
@@ -107,14 +113,16 @@ fn is_junction(point: &str, patches: &[NamedQuad]) -> bool {
 
 struct Sketch {
     drawing: Drawing,
-    shift: [f64; 2],
+    low: [f64; 2],
+    scale: f64,
+    border: f64,
     letters: f64,
 }
 
 impl Sketch {
     fn place(&self, position: [f64; 3]) -> [f64; 2] {
-        let [x, y] = flat(position);
-        [x + self.shift[0], y + self.shift[1]]
+        let full = flat(position);
+        std::array::from_fn(|k| self.border + self.scale * (full[k] - self.low[k]))
     }
 
     /// A name that stands out from what it covers.
@@ -127,11 +135,25 @@ impl Sketch {
         let line: Vec<[f64; 2]> = edge.polyline.iter().map(|p| self.place(*p)).collect();
         let path = Path::polyline(&line, Closure::Open);
         self.drawing.draw(Layer::Side, &edge.id, path);
-        let middle = halfway(&line);
+        let (middle, along) = halfway(&line);
+        // Along the edge, to be read from below or from the right.
+        let angle = libm::atan2(along[1], along[0]);
+        let half = core::f64::consts::FRAC_PI_2;
+        let angle = if angle > half {
+            angle - 2.0 * half
+        } else if angle <= -half {
+            angle + 2.0 * half
+        } else {
+            angle
+        };
         let height = 0.55 * self.letters;
-        let at = [middle[0], middle[1] - 0.5 * height];
+        let (sin, cos) = libm::sincos(angle);
+        let at = [
+            middle[0] + 0.5 * height * sin,
+            middle[1] - 0.5 * height * cos,
+        ];
         let text = Text::new(&edge.id, at, height).anchored(Anchor::Middle);
-        self.name(&edge.id, text);
+        self.name(&edge.id, text.turned(angle));
     }
 
     fn patch(
@@ -155,7 +177,7 @@ impl Sketch {
                 let id = side.get(side.len() / 2)?;
                 let edge = edges.iter().find(|edge| edge.id == *id)?;
                 let line: Vec<[f64; 2]> = edge.polyline.iter().map(|p| self.place(*p)).collect();
-                Some(halfway(&line))
+                Some(halfway(&line).0)
             })
             .collect();
         let mean = |k: usize| {
@@ -164,23 +186,28 @@ impl Sketch {
             0.5 * (corners + middles)
         };
         let height = 1.2 * self.letters;
-        let text = Text::new(&patch.name, [mean(0), mean(1) - 0.5 * height], height);
+        let text = Text::new(&patch.name, [mean(0), mean(1) + 0.8 * height], height);
         self.name(&patch.name, text.anchored(Anchor::Middle));
-        // Beside the first corner, the ways of both families.
-        let at = |x: f64, y: f64| -> [f64; 2] {
-            std::array::from_fn(|k| {
-                (1.0 - y) * ((1.0 - x) * a[k] + x * b[k]) + y * ((1.0 - x) * d[k] + x * c[k])
-            })
-        };
-        let from = at(0.12, 0.12);
-        self.arrow(Layer::CurveU, "u", &patch.name, from, at(0.12, 0.3));
-        self.arrow(Layer::CurveV, "v", &patch.name, from, at(0.3, 0.12));
+        // Below it, the ways of both families: from side 1-2 to 4-3, and from 1-4 to 2-3.
+        let centre = [mean(0), mean(1) - 1.1 * self.letters];
+        let u = [0, 1].map(|k| c[k] + d[k] - a[k] - b[k]);
+        let v = [0, 1].map(|k| b[k] + c[k] - a[k] - d[k]);
+        self.arrow(Layer::CurveU, "u", &patch.name, centre, u);
+        self.arrow(Layer::CurveV, "v", &patch.name, centre, v);
     }
 
-    fn arrow(&mut self, layer: Layer, name: &str, subject: &str, from: [f64; 2], to: [f64; 2]) {
-        let along = [to[0] - from[0], to[1] - from[1]];
+    fn arrow(
+        &mut self,
+        layer: Layer,
+        name: &str,
+        subject: &str,
+        centre: [f64; 2],
+        along: [f64; 2],
+    ) {
         let length = libm::hypot(along[0], along[1]).max(f64::MIN_POSITIVE);
         let unit = along.map(|x| x / length);
+        let half = self.letters;
+        let [from, to] = [-half, half].map(|s| [centre[0] + s * unit[0], centre[1] + s * unit[1]]);
         let size = 0.4 * self.letters;
         let barb = |side: f64| {
             [
@@ -232,14 +259,19 @@ impl Sketch {
         );
     }
 
-    fn scale_bar(&mut self, project: &str, border: f64, extent: f64) {
-        let bar = round_length(extent / 5.0);
-        let y = 0.3 * border;
-        let line = [[border, y], [border + bar, y]];
-        let path = Path::polyline(&line, Closure::Open);
+    fn scale_bar(&mut self, project: &str, full: f64) {
+        let bar = round_length(full / 5.0);
+        let y = 0.3 * self.border;
+        let end = self.border + self.scale * bar;
+        let path = Path::polyline(&[[self.border, y], [end, y]], Closure::Open);
         self.drawing.draw(Layer::Axis, "", path);
-        let text = format!("{} mm   {project}, patches from above", trim(bar));
-        let at = [border + bar + self.letters, y - 0.4 * self.letters];
+        let length = if bar < MM {
+            format!("{} mm", trim(bar))
+        } else {
+            format!("{} m", trim(bar / MM))
+        };
+        let text = format!("{length}   {project}, patches from above");
+        let at = [end + self.letters, y - 0.4 * self.letters];
         let text = Text::new(text, at, 0.8 * self.letters);
         self.drawing.draw(Layer::Title, "", text);
     }
@@ -249,17 +281,19 @@ fn flat([x, y, _]: [f64; 3]) -> [f64; 2] {
     [x * MM, y * MM]
 }
 
-/// The place at half the length of a line.
-fn halfway(line: &[[f64; 2]]) -> [f64; 2] {
-    let step = |w: &[[f64; 2]]| libm::hypot(w[1][0] - w[0][0], w[1][1] - w[0][1]);
+/// The place at half the length of a line, and the direction there.
+fn halfway(line: &[[f64; 2]]) -> ([f64; 2], [f64; 2]) {
+    let along = |w: &[[f64; 2]]| [w[1][0] - w[0][0], w[1][1] - w[0][1]];
+    let step = |w: &[[f64; 2]]| libm::hypot(along(w)[0], along(w)[1]);
     let mut left = 0.5 * line.windows(2).map(step).sum::<f64>();
     for pair in line.windows(2) {
         let length = step(pair);
         if left <= length && length > 0.0 {
             let t = left / length;
-            return std::array::from_fn(|k| pair[0][k] + t * (pair[1][k] - pair[0][k]));
+            let at = std::array::from_fn(|k| pair[0][k] + t * (pair[1][k] - pair[0][k]));
+            return (at, along(pair));
         }
         left -= length;
     }
-    line[line.len() / 2]
+    (line[line.len() / 2], [1.0, 0.0])
 }

@@ -248,7 +248,11 @@ fn parts(plan: &Plan, rows: &mut Vec<Row>) {
     let told: Vec<String> = match sheets.len() {
         0..=4 => sheets,
         count => {
-            let used = plan.sheets.iter().map(|sheet| sheet.yield_share).sum::<f64>();
+            let used = plan
+                .sheets
+                .iter()
+                .map(|sheet| sheet.yield_share)
+                .sum::<f64>();
             let used = 1e2 * used / count as f64;
             vec![format!("{count}, {used:.0} % used on average")]
         }

@@ -97,7 +97,11 @@ fn the_sphere_cap_shows_its_figures() {
 #[test]
 fn the_pavilion_shows_its_figures() {
     let built = shown("pavilion");
-    copied(&built, "layout/patches.svg", "projects/pavilion/patches.svg");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/pavilion/patches.svg",
+    );
 }
 
 #[test]
@@ -133,7 +137,11 @@ fn the_lilium_tower_shows_its_figures() {
 #[test]
 fn the_yas_hotel_shows_its_figures() {
     let built = shown("yas-hotel");
-    copied(&built, "layout/patches.svg", "projects/yas-hotel/patches.svg");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/yas-hotel/patches.svg",
+    );
 }
 
 #[test]

@@ -161,7 +161,11 @@ fn the_yas_hotel_keeps_the_conditions_of_a_plan() {
 #[test]
 fn a_ring_of_mirror_images_closes() {
     let plan = plan_holds(STRUCTURES[5]);
-    let rings: Vec<_> = plan.strips.iter().filter_map(|strip| strip.ring.as_ref()).collect();
+    let rings: Vec<_> = plan
+        .strips
+        .iter()
+        .filter_map(|strip| strip.ring.as_ref())
+        .collect();
     let [ring] = rings[..] else {
         panic!("{rings:?}")
     };
