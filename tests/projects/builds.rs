@@ -1,10 +1,10 @@
 //! Builds of the projects: they succeed, and always write the same.
 
-use crate::conditions;
 use crate::program::{Workshop, files};
 use crate::{PROJECTS, STRUCTURES, root};
+use crate::{conditions, evenness};
 use egg::plan::{Plan, from_ron, to_json, to_ron};
-use egg::project::model::Project;
+use egg::project::model::{Family, Project};
 use egg::project::{Notation, load};
 use std::collections::BTreeMap;
 use std::fs;
@@ -131,6 +131,7 @@ fn the_pavilion_keeps_the_conditions_of_a_plan() {
     let plan = plan_holds(STRUCTURES[0]);
     let common = plan.strips.iter().find(|strip| strip.id == "east.v");
     assert_eq!(common.expect("a strip").families, ["east.v", "west.v"]);
+    evenness::is_stationary(&plan, ["west", "east"], Family::V);
 }
 
 #[test]

@@ -43,7 +43,7 @@ type SkeletonNeeds = (
 /// Surface, points and edges.
 pub(in crate::build) const SKELETON: Stage<SkeletonInput, SkeletonNeeds, Plan> = Stage {
     name: "skeleton",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (surface, curvature, points, lines), _| {
         let points = input
@@ -87,7 +87,7 @@ type ChapterNeeds = (
 /// All records of a patch.
 pub(in crate::build) const CHAPTER: Stage<ChapterInput, ChapterNeeds, Plan> = Stage {
     name: "chapter",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (domain, clad, feasibility, feasible, u, v, crossings, lamellae), _| {
         let names = PatchNames {
@@ -130,7 +130,7 @@ type PlanNeeds = (
 /// The plan.
 pub(in crate::build) const PLAN: Stage<PlanInput, PlanNeeds, Plan> = Stage {
     name: "plan",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (skeleton, chapters, nest, bill, warnings), _| {
         let all = std::iter::once(skeleton).chain(chapters);
