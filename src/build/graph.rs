@@ -10,6 +10,7 @@
 //! | `line` | line | | `surface`, the anchors at its ends |
 //! | `station` | point on a line | its share | `surface`, `line` |
 //! | `patch` | patch | shares of its corners on their lines | `surface`, four `line` |
+//! | `network` | structure | names, shares of corners on their lines | `surface`, `line`s, `patch`es |
 //! | `sides` | patch | | `patch` |
 //! | `distances` | patch and family | | `patch` |
 //! | `cladding` | patch | `alpha`, `members`, `split.slope`, `lamella.width` | `sides`, `distances` |
@@ -18,6 +19,7 @@
 //! | `schedule` | strip | `members`, `distribution.weights`, shares of corners | `cladding` |
 //! | `strip` | strip | the same | `patch`, `cladding`, `schedule` |
 //! | `members` | patch and family | | `strip` |
+//! | `strip-chapter` | strip | names | `schedule`, `strip` |
 //! | `grid` | patch | | `patch`, `members` |
 //! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
 //! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |
@@ -43,11 +45,15 @@ use super::stages::cladding::{
 };
 use super::stages::fabrication::{
     ABOVE_FILES, BILL, BillInput, CLADDING_FILES, COUPON_FILES, CouponInput, DrawingInput,
-    LAYOUT_FILES, NEST, NestInput, PART_FILES, PLAN_FILE, SHEET_FILES, SPLICED, SPLICES,
-    TABLE_FILES, WORKSHOP,
+    LAYOUT_FILES, NEST, NETWORK_FILES, NestInput, NetworkDrawingInput, PART_FILES, PLAN_FILE,
+    SHEET_FILES, SPLICED, SPLICES, TABLE_FILES, WORKSHOP,
 };
-use super::stages::layout::{ANCHOR, ANCHORS, Anchors, LINE, PATCH, PatchInput, STATION};
-use super::stages::members::{GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP};
+use super::stages::layout::{
+    ANCHOR, ANCHORS, Anchors, LINE, NETWORK, NetworkInput, PATCH, PatchInput, STATION,
+};
+use super::stages::members::{
+    GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP, STRIP_CHAPTER, StripChapterInput,
+};
 use super::stages::plan::{
     CHAPTER, ChapterInput, EdgeInput, PLAN, PlanInput, SKELETON, SkeletonInput,
 };
@@ -55,11 +61,12 @@ use super::stages::surface::{CURVATURE, SURFACE, SurfaceInput};
 use super::{Built, Graph, Node, SourceFile, Warnings};
 use crate::cladding::Clad;
 use crate::diagnostics::{KeyPath, SpanTable};
+use crate::fabrication::NamedQuad;
 use crate::fabrication::coupon::{self, CouponSection};
 use crate::fabrication::nesting::Settings;
 use crate::fabrication::splicing::{self, Rules};
 use crate::grid::Section;
-use crate::layout::{Domain, Network, Side, edge_id};
+use crate::layout::{Domain, Network, Side, SidePiece, edge_id};
 use crate::members::Member;
 use crate::plan::Plan;
 use crate::project::model::{Family, Patch, Point, Project};
@@ -127,7 +134,9 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         .enumerate()
         .map(|(i, patch)| plan_patch(graph, &basis, &mut lines, patch, i, told))
         .collect();
-    let members = weave_strips(graph, project, &patches, &network, &planned);
+    let neighbours = check_neighbours(graph, &basis, &mut lines, &patches, &planned);
+    told.push((String::new(), neighbours.warnings()));
+    let (members, strips) = weave_strips(graph, project, &patches, &network, &planned, told);
     let chapters: Vec<Node<Plan>> = patches
         .iter()
         .enumerate()
@@ -186,10 +195,18 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         PlanInput {
             name: project.name.clone(),
             subjects,
+            allowed: project.allowed_lints.clone(),
         },
-        (skeleton, chapters.clone(), nest, bill, warnings),
+        (
+            skeleton,
+            chapters.iter().copied().chain(strips).collect(),
+            nest,
+            bill,
+            warnings,
+        ),
     );
     graph.origin(plan, "name", "project.name");
+    graph.origin(plan, "allowed", "lints.allow");
     if extent == Extent::Plan {
         return;
     }
@@ -219,6 +236,19 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
     );
     graph.origin(above, "", "project.name");
     graph.publish(above);
+    let names = NetworkDrawingInput {
+        name: project.name.clone(),
+        patches: patches
+            .iter()
+            .zip(&network.sides)
+            .map(|(patch, sides)| {
+                NamedQuad::new(&patch.name, &patch.corners, edges_of(&network, sides))
+            })
+            .collect(),
+    };
+    let drawn = graph.add(&NETWORK_FILES, "", names, skeleton);
+    graph.origin(drawn, "name", "project.name");
+    graph.publish(drawn);
     let sheets = graph.add(&SHEET_FILES, "", drawing(), (chapters.clone(), nest));
     drawing_origins(graph, sheets);
     graph.publish(sheets);
@@ -375,6 +405,9 @@ impl<'n> Lines<'n> {
         let ends = line.ends().map(|name| self.point(graph, name));
         let node = graph.add(&LINE, line.id(), (), (self.surface, ends[0], ends[1]));
         graph.origin(node, "", key(&["points", line.ends()[0]]));
+        for (field, name) in ["from", "to"].into_iter().zip(line.ends()) {
+            graph.name(node, field, name);
+        }
         self.declared.insert(index, node);
         node
     }
@@ -468,6 +501,10 @@ fn plan_patch(
     let domain = graph.add(&PATCH, name, PatchInput { corners }, needs);
     graph.origin(domain, "", &here);
     graph.origin(domain, "corners", format!("{here}.corners"));
+    graph.name(domain, "", name);
+    for (i, corner) in patch.corners.iter().enumerate() {
+        graph.name(domain, format!("corners[{i}]"), corner);
+    }
 
     let sides = graph.add(&SIDES, name, (), domain);
     let [u, v] = [Family::U, Family::V].map(|family| {
@@ -504,6 +541,34 @@ fn plan_patch(
     }
 }
 
+/// The check of all patches together.
+fn check_neighbours(
+    graph: &mut Graph<'_>,
+    basis: &Basis<'_>,
+    lines: &mut Lines<'_>,
+    patches: &[Patch],
+    planned: &[PlannedPatch],
+) -> Node<()> {
+    let network = basis.network;
+    let input = NetworkInput {
+        network: network.clone(),
+        patches: patches
+            .iter()
+            .map(|patch| (patch.name.clone(), patch.corners.clone()))
+            .collect(),
+    };
+    let sides = (0..network.lines.len())
+        .map(|index| lines.line(graph, index))
+        .collect();
+    let domains = planned.iter().map(|patch| patch.domain).collect();
+    let node = graph.add(&NETWORK, "", input, (basis.surface, sides, domains));
+    for (i, patch) in patches.iter().enumerate() {
+        let here = key(&["patches", &patch.name]);
+        graph.origin(node, format!("patches[{i}]"), here);
+    }
+    node
+}
+
 type MembersOf = BTreeMap<(usize, Family), Node<Vec<Member>>>;
 
 /// Members of all strips, and of each family of each patch out of them.
@@ -513,15 +578,26 @@ fn weave_strips(
     patches: &[Patch],
     network: &Network,
     planned: &[PlannedPatch],
-) -> MembersOf {
+    told: &mut Vec<(String, Warnings)>,
+) -> (MembersOf, Vec<Node<Plan>>) {
     let mut members = MembersOf::new();
+    let mut chapters = Vec::new();
     for group in strip_groups(project, patches, network) {
         let patches_in = || group.passages.iter().map(|&(patch, _)| &planned[patch]);
         let clads: Vec<Node<Clad>> = patches_in().map(|p| p.clad).collect();
         let domains = patches_in().map(|p| p.domain).collect();
         let schedule = graph.add(&SCHEDULE, &group.name, group.input.clone(), clads.clone());
         let needs = (domains, clads, schedule);
+        let closed = group.input.closed;
         let strip = graph.add(&STRIP, &group.name, group.input, needs);
+        told.push((group.name.clone(), strip.warnings()));
+        let families = group.passages.iter();
+        let families = families.map(|&(patch, family)| family_target(&patches[patch].name, family));
+        let input = StripChapterInput {
+            families: families.collect(),
+            closed,
+        };
+        chapters.push(graph.add(&STRIP_CHAPTER, &group.name, input, (schedule, strip)));
         for (i, &(patch, family)) in group.passages.iter().enumerate() {
             let name = &patches[patch].name;
             let here = key(&["patches", name]);
@@ -531,7 +607,7 @@ fn weave_strips(
             members.insert((patch, family), node);
         }
     }
-    members
+    (members, chapters)
 }
 
 /// Where the fields of a passage come from.
@@ -582,17 +658,10 @@ fn chapter(
     );
     told.push((name.clone(), lamellae.warnings()));
 
-    let sides = network.sides[index].map(|piece| {
-        let stations = &network.lines[piece.line].stations;
-        piece
-            .segments()
-            .map(|(i, j)| edge_id(&stations[i].name, &stations[j].name))
-            .collect()
-    });
     let input = ChapterInput {
         patch: name.clone(),
         corners: patch.corners.clone(),
-        sides,
+        sides: edges_of(network, &network.sides[index]),
         material: patch.lamella.material.clone(),
         section,
     };
@@ -605,6 +674,17 @@ fn chapter(
         lamella_key(design.spans, name, "material"),
     );
     chapter
+}
+
+/// Ids of the edges of the sides of a patch, in the order of travel.
+fn edges_of(network: &Network, sides: &[SidePiece; 4]) -> [Vec<String>; 4] {
+    sides.map(|piece| {
+        let stations = &network.lines[piece.line].stations;
+        piece
+            .segments()
+            .map(|(i, j)| edge_id(&stations[i].name, &stations[j].name))
+            .collect()
+    })
 }
 
 /// What shapes the lamellae of a patch.

@@ -14,8 +14,9 @@ const UNREADABLE_MESH: Code = Code::new("E0901");
 const OUTSIDE: Code = Code::new("E0902");
 
 /// What the pipeline does beyond cutting lamellae from patches as they stand.
-const BUILT: [Capability; 6] = [
+const BUILT: [Capability; 7] = [
     Capability::SeveralPatches,
+    Capability::ClosedStrips,
     Capability::Shells,
     Capability::BedWindows,
     Capability::KerfCompensation,

@@ -10,7 +10,7 @@
 //! | [`lints`], [`hardware`] | what a workshop would object to |
 //! | [`sheet`], [`passage`] | cut files and overview of a sheet; those of a sheet longer than the bed |
 //! | [`coupon`] | a test piece for kerf and fit |
-//! | [`layout`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
+//! | [`layout`], [`network`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
 //! | [`tables`] | CSV |
 //! | [`drawing`], [`stroke_font`] | the neutral drawing and its letters |
 //! | [`dxf`], [`svg`], [`pdf`] | the writers |
@@ -34,6 +34,7 @@ pub mod layout;
 pub mod lints;
 pub mod names;
 pub mod nesting;
+pub mod network;
 pub mod nodes;
 pub mod outline;
 mod outputs;
@@ -49,7 +50,8 @@ pub mod svg;
 pub mod tables;
 pub mod units;
 
+pub use network::NamedQuad;
 pub use outputs::{
     Inputs, OutputFile, above_files, blanks, check, cladding_files, coupon_files, layout_files,
-    outputs, overview_files, part_files, parts, sheet_files, table_files,
+    network_files, outputs, overview_files, part_files, parts, sheet_files, table_files,
 };
