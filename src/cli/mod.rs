@@ -9,10 +9,11 @@ mod exit;
 mod interrupt;
 mod progress;
 mod run;
+mod table;
 
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
-use commands::{build, cache, check, explain, export, graph, init, materials, schema, watch};
+use commands::{build, cache, check, explain, export, graph, init, materials, schema, split, watch};
 use console::Console;
 use exit::Exit;
 use std::process::ExitCode;
@@ -53,7 +54,12 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
     }
     let ended = match command {
         Command::Init { name } => Ok(init::run(console, &name)),
-        Command::Check { file } => check::run(console, &global, file.path.as_deref()),
+        Command::Check { file, format } => {
+            check::run(console, &global, file.path.as_deref(), format)
+        }
+        Command::Split { file, workflow } => {
+            split::run(console, &global, file.path.as_deref(), workflow)
+        }
         Command::Build {
             file,
             selection,

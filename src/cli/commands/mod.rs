@@ -9,4 +9,5 @@ pub(super) mod graph;
 pub(super) mod init;
 pub(super) mod materials;
 pub(super) mod schema;
+pub(super) mod split;
 pub(super) mod watch;

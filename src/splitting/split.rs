@@ -1,0 +1,329 @@
+//! Splitting: patches in, patches out, with an account of what was done and what is left.
+
+use super::appraise::{Appraisal, Appraiser, Limits, Measured};
+use super::draft::{Draft, DraftPatch, Refusal, Rules};
+use super::{automatic, informed};
+use crate::cladding::Clad;
+use crate::diagnostics::Diagnostic;
+use crate::diagnostics::codes::splitting as codes;
+use crate::project::model::Workflow;
+use crate::surface::{Curvature, SurfaceMesh};
+use serde::{Deserialize, Serialize};
+use std::collections::{BTreeMap, BTreeSet};
+
+/// How far splitting goes.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct SplitLimits {
+    /// Which workflow; off splits nothing.
+    pub workflow: Workflow,
+    /// Largest feasible η.
+    pub eta_max: f64,
+    /// Bounds of the slopes of cladding functions.
+    pub slope: [f64; 2],
+    /// Shortest side that may be made, metres.
+    pub min_side: Option<f64>,
+    /// Most patches that may be made.
+    pub max_patches: Option<u32>,
+}
+
+/// Where the project sets no limit: far more than any structure that was built, and a bound on the
+/// time.
+const MOST_PATCHES: usize = 200;
+/// New anchors have coordinates of so many digits below the size of the surface.
+const DIGITS: f64 = 5.0;
+
+/// A part of an original patch that is still infeasible, and why it was not split further.
+pub(super) type Stuck = BTreeMap<String, Refusal>;
+
+/// What all workflows work with.
+pub(super) struct Workshop<'a> {
+    pub(super) appraiser: Appraiser<'a>,
+    pub(super) draft: Draft,
+    pub(super) rules: Rules,
+    /// Names of patches that cannot be cut, with the reason.
+    pub(super) stuck: Stuck,
+    /// Names of the points of the project.
+    pub(super) given: BTreeSet<String>,
+    /// Whether members can run on through a network.
+    weaves: Weaves<'a>,
+    cancelled: Cancelled<'a>,
+}
+
+/// Tells whether members of all families can be laid through patches in order.
+pub type Weaves<'a> = &'a (dyn Fn(&Draft, &[&Clad]) -> bool + Sync);
+/// Tells whether the user asked to stop.
+pub type Cancelled<'a> = &'a (dyn Fn() -> bool + Sync);
+
+/// Why there is no result.
+#[derive(Debug)]
+pub enum NoSplit {
+    /// Patches of the project cannot be measured as they are.
+    Unmeasured,
+    /// The user asked to stop.
+    Cancelled,
+}
+
+impl<'a> Workshop<'a> {
+    pub(super) fn limits(&self) -> Limits {
+        self.appraiser.limits
+    }
+
+    /// Measures all patches of the draft.
+    pub(super) fn appraise(&mut self) -> Result<Vec<Measured>, NoSplit> {
+        if (self.cancelled)() {
+            return Err(NoSplit::Cancelled);
+        }
+        self.appraiser
+            .appraise(&self.draft)
+            .map_err(|_| NoSplit::Unmeasured)
+    }
+
+    /// Whether members can be laid through the draft, all of whose patches have plans.
+    pub(super) fn weaves(&self, measured: &[Measured]) -> bool {
+        let clads: Option<Vec<&Clad>> = measured.iter().map(|m| plan(m)).collect();
+        clads.is_none_or(|clads| (self.weaves)(&self.draft, &clads))
+    }
+
+    /// Applies cuts, given by the names of patches. A cut whose parts are no quadrilaterals is
+    /// taken back, and its patch is stuck. Returns whether any cut stands.
+    pub(super) fn cut(&mut self, cuts: &[(String, super::Proposal)]) -> Result<bool, NoSplit> {
+        let before = self.draft.clone();
+        let lengths: BTreeMap<String, [f64; 4]> = self
+            .appraise()?
+            .iter()
+            .zip(&before.patches)
+            .filter_map(|(m, patch)| Some((patch.name.clone(), m.as_ref().ok()?.side_lengths())))
+            .collect();
+        let mut cuts: Vec<&(String, super::Proposal)> = cuts.iter().collect();
+        loop {
+            let mut children: BTreeMap<String, String> = BTreeMap::new();
+            for (name, proposal) in &cuts {
+                let position = self.draft.patches.iter().position(|p| p.name == *name);
+                let Some((index, sides)) = position.zip(lengths.get(name)) else {
+                    continue;
+                };
+                match self.draft.cut(index, proposal, *sides, &self.rules) {
+                    Ok(()) => {
+                        let parts = match proposal {
+                            super::Proposal::Edge { .. } => 2,
+                            super::Proposal::Corner { .. } => 4,
+                        };
+                        for part in &self.draft.patches[index..index + parts] {
+                            children.insert(part.name.clone(), name.clone());
+                        }
+                    }
+                    Err(refusal) => {
+                        self.stuck.insert(name.clone(), refusal);
+                    }
+                }
+            }
+            let measured = self.appraise()?;
+            let folded: BTreeSet<String> = measured
+                .iter()
+                .zip(&self.draft.patches)
+                .filter(|(m, _)| m.is_err())
+                .filter_map(|(_, patch)| children.get(&patch.name).cloned())
+                .collect();
+            if folded.is_empty() {
+                return Ok(!children.is_empty());
+            }
+            self.draft = before.clone();
+            cuts.retain(|(name, _)| !folded.contains(name));
+            let stuck = folded.into_iter().map(|name| (name, Refusal::Folded));
+            self.stuck.extend(stuck);
+        }
+    }
+}
+
+fn plan(measured: &Measured) -> Option<&Clad> {
+    let appraisal = measured.as_ref().ok()?;
+    appraisal.angles.as_ref()?.taken.as_ref().ok()
+}
+
+/// Splits patches until all are feasible or nothing more can be done. Deterministic, whatever the
+/// number of threads.
+pub fn split(
+    surface: &SurfaceMesh,
+    curvature: &Curvature,
+    draft: &Draft,
+    limits: &SplitLimits,
+    weaves: Weaves<'_>,
+    cancelled: Cancelled<'_>,
+) -> Result<(Draft, Vec<Diagnostic>), NoSplit> {
+    let (low, high) = surface.mesh.bounding_box();
+    let digits = DIGITS - libm::floor(libm::log10((high - low).norm()));
+    let mut workshop = Workshop {
+        appraiser: Appraiser::new(
+            surface,
+            curvature,
+            Limits {
+                eta_max: limits.eta_max,
+                slope: limits.slope,
+            },
+        ),
+        draft: draft.clone(),
+        rules: Rules {
+            min_side: limits.min_side.unwrap_or(0.0),
+            max_patches: limits.max_patches.map_or(MOST_PATCHES, |n| n as usize),
+            decimals: digits.clamp(0.0, 9.0) as usize,
+        },
+        stuck: Stuck::new(),
+        given: draft.points.iter().map(|p| p.name.clone()).collect(),
+        weaves,
+        cancelled,
+    };
+    let start = workshop.appraise()?;
+    if start.iter().any(Result::is_err) {
+        return Err(NoSplit::Unmeasured);
+    }
+    match limits.workflow {
+        Workflow::Off => {}
+        Workflow::Automatic => automatic::run(&mut workshop)?,
+        Workflow::Informed => informed::run(&mut workshop)?,
+    }
+    let end = workshop.appraise()?;
+    let weaves = workshop.weaves(&end);
+    let told = account(&workshop, draft, &start, &end, weaves);
+    Ok((workshop.draft, told))
+}
+
+/// What was done to each patch of the project, and what is left infeasible.
+fn account(
+    workshop: &Workshop<'_>,
+    before: &Draft,
+    start: &[Measured],
+    end: &[Measured],
+    weaves: bool,
+) -> Vec<Diagnostic> {
+    let limits = workshop.limits();
+    let mut told = Vec::new();
+    for (i, (patch, measured)) in before.patches.iter().zip(start).enumerate() {
+        let parts: Vec<(&DraftPatch, &Measured)> = workshop
+            .draft
+            .patches
+            .iter()
+            .zip(end)
+            .filter(|(part, _)| part.origin == patch.name)
+            .collect();
+        let key = format!(".draft.patches[{i}]");
+        if parts.len() > 1
+            && let Ok(appraisal) = measured
+        {
+            let names: Vec<String> = parts.iter().map(|(p, _)| format!("`{}`", p.name)).collect();
+            told.push(
+                Diagnostic::note_only(
+                    codes::SPLIT,
+                    format!(
+                        "`{}` is split into {} patches: {}",
+                        patch.name,
+                        parts.len(),
+                        reason(appraisal, &limits)
+                    ),
+                )
+                .at_key(&key, "this patch")
+                .about(&patch.name)
+                .note(format!("they are {}", names.join(", "))),
+            );
+        }
+        for (part, measured) in parts {
+            let Ok(appraisal) = measured else { continue };
+            if appraisal.feasible(&limits) {
+                continue;
+            }
+            let why = workshop.stuck.get(&part.name);
+            told.push(
+                Diagnostic::warning(
+                    codes::LEFT,
+                    format!(
+                        "`{}` stays infeasible: {}",
+                        part.name,
+                        reason(appraisal, &limits)
+                    ),
+                )
+                .at_key(&key, "in this patch")
+                .about(&part.name)
+                .note(why.map_or_else(
+                    || "no cut that was tried makes it better".to_owned(),
+                    refusal_words,
+                ))
+                .help(why.map_or("move its corners", refusal_advice)),
+            );
+        }
+    }
+    if !weaves {
+        told.push(
+            Diagnostic::warning(
+                codes::LEFT,
+                "members through the corners of the parts do not go on in order in the patches \
+                 beyond",
+            )
+            .at_key(".draft.patches[0]", "in the network from here")
+            .help("give the strips more members, or cut the patches by hand where `egg split` cuts them"),
+        );
+    }
+    told
+}
+
+/// What is violated, by how much and where.
+fn reason(appraisal: &Appraisal, limits: &Limits) -> String {
+    let feasibility = &appraisal.feasibility;
+    let worst = feasibility.peaks.iter().find(|peak| {
+        let over = |eta: &f64| *eta > limits.eta_max;
+        peak.eta().iter().any(over)
+    });
+    if let Some(peak) = worst {
+        let [u, v] = peak.eta();
+        let at = peak.place;
+        return format!(
+            "η is {u:.4} for the u-family and {v:.4} for the v-family at the peak of curvature at \
+             ({:.4}, {:.4}, {:.4}) m, the limit {}",
+            at.x, at.y, at.z, limits.eta_max
+        );
+    }
+    let Some(angles) = &appraisal.angles else {
+        return "its peaks are not covered".to_owned();
+    };
+    match (&angles.taken, angles.survey) {
+        (Ok(_), _) if !appraisal.own_angle => "its own `alpha` is not feasible".to_owned(),
+        (Ok(_), _) => "its neighbours asked for it".to_owned(),
+        (Err(why), _) => {
+            let described = crate::cladding::explain(angles, why, false);
+            described.message
+        }
+    }
+}
+
+fn refusal_words(refusal: &Refusal) -> String {
+    match refusal {
+        Refusal::Members(family) => format!(
+            "the {}-family has too few members to share between two parts",
+            letter(*family)
+        ),
+        Refusal::MinSide(least) => {
+            format!("parts would have sides shorter than `split.min_side`, {least} m")
+        }
+        Refusal::MaxPatches(most) => format!("there would be more than {most} patches"),
+        Refusal::Folded => "the parts would be no quadrilaterals".to_owned(),
+        Refusal::Order(family) => format!(
+            "members of the {}-family through its corners would not go on in order in its \
+             neighbours",
+            letter(*family)
+        ),
+    }
+}
+
+fn refusal_advice(refusal: &Refusal) -> &'static str {
+    match refusal {
+        Refusal::Members(_) | Refusal::Order(_) => "give the strip more members",
+        Refusal::MinSide(_) => "allow shorter sides",
+        Refusal::MaxPatches(_) => "allow more patches (`split.max_patches`)",
+        Refusal::Folded => "move its corners",
+    }
+}
+
+fn letter(family: crate::project::model::Family) -> char {
+    match family {
+        crate::project::model::Family::U => 'u',
+        crate::project::model::Family::V => 'v',
+    }
+}
