@@ -173,7 +173,12 @@ fn split(
         min_side,
         max_patches,
     };
-    let node = graph.add(&SPLIT, "", SplitInput { draft, limits }, (surface, curvature));
+    let node = graph.add(
+        &SPLIT,
+        "",
+        SplitInput { draft, limits },
+        (surface, curvature),
+    );
     graph.origin(node, "limits", "split");
     for (field, key) in keys {
         graph.origin(node, field, key);
@@ -698,11 +703,7 @@ fn chapter(
     let needs = (domain, clad, feasibility, judgement, u, v, grid, lamellae);
     let chapter = graph.add(&CHAPTER, name, input, needs);
     graph.origin(chapter, "", &here);
-    graph.origin(
-        chapter,
-        "material",
-        lamella_key(basis, name, "material"),
-    );
+    graph.origin(chapter, "material", lamella_key(basis, name, "material"));
     chapter
 }
 

@@ -107,7 +107,10 @@ impl Opened {
         };
         let key = "project.units";
         let range = self.loaded.spans.value(key);
-        let said = self.text.get(range).filter(|_| self.loaded.spans.contains(key));
+        let said = self
+            .text
+            .get(range)
+            .filter(|_| self.loaded.spans.contains(key));
         let units = said.map(|units| units.trim_matches(|c: char| !c.is_ascii_alphabetic()));
         (notation, LengthText::of(units))
     }

@@ -13,7 +13,9 @@ mod table;
 
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
-use commands::{build, cache, check, explain, export, graph, init, materials, schema, split, watch};
+use commands::{
+    build, cache, check, explain, export, graph, init, materials, schema, split, watch,
+};
 use console::Console;
 use exit::Exit;
 use std::process::ExitCode;

@@ -159,17 +159,28 @@ mod tests {
         measured.angle.planar = Some(32.4);
         measured.angle.feasible = vec![[20.0, 40.25], [110.0, 150.0]];
         measured.violated = vec!["eta v".into()];
+        let table = checks(&[measured, unmeasured("b")]);
+        let rows: Vec<&str> = table.lines().collect();
+        let [head, long, short, limits] = rows[..] else {
+            panic!("{table}")
+        };
+        let column = |row: &str, text: &str| {
+            let at = row.find(text).expect("there");
+            row[..at].chars().count()
+        };
         assert_eq!(
-            checks(&[measured, unmeasured("b")]),
-            "\
-patch        members     η u     η v  longest  unique to   slopes u  slopes v  angle  feasible angles            verdict
-a-long-name   7 x 11  1.0000  1.0041  25.72 m        any  0.62-1.61         -  32.4°  20.0-40.2° 110.0-150.0°    not: eta v
-b             7 x 11       -       -        -          -          -         -      -  -                          not: layout
-limits: η 1.0015, slopes 0.5 to 2
-"
-            .replace("°    not", "°  not")
-            .replace("-                          not", "-                        not")
-            .replace("angles            verdict", "angles           verdict")
+            column(head, "feasible angles"),
+            column(long, "20.0-40.2° 110.0"),
+            "{table}"
         );
+        for (row, verdict) in [(long, "not: eta v"), (short, "not: layout")] {
+            assert_eq!(column(head, "verdict"), column(row, verdict), "{table}");
+        }
+        // Numbers end where their title ends.
+        let end = |row: &str, text: &str| column(row, text) + text.chars().count();
+        assert_eq!(end(head, "η v"), end(long, "1.0041"));
+        assert_eq!(end(head, "longest"), end(long, "25.72 m"));
+        assert_eq!(end(head, "unique to"), end(long, "any"));
+        assert_eq!(limits, "limits: η 1.0015, slopes 0.5 to 2");
     }
 }

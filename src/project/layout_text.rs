@@ -108,11 +108,7 @@ fn ron(project: &Project, lengths: LengthText) -> String {
     text
 }
 
-fn place(
-    point: &Point,
-    lengths: LengthText,
-    on: impl Fn(&[String; 2], f64) -> String,
-) -> String {
+fn place(point: &Point, lengths: LengthText, on: impl Fn(&[String; 2], f64) -> String) -> String {
     let list = |lengths_of: &[f64]| {
         let all: Vec<String> = lengths_of.iter().map(|&x| lengths.write(x)).collect();
         format!("[{}]", all.join(", "))

@@ -3,8 +3,11 @@
 //! patch is known by its corners and its counts.
 
 use super::draft::{Draft, DraftPatch};
+use super::split::Cancelled;
 use super::{Feasibility, feasibility};
-use crate::cladding::{AngleChoice, Demands, DistanceTable, Maps, choose_angle, clad, distance_table};
+use crate::cladding::{
+    AngleChoice, Demands, DistanceTable, Maps, choose_angle, clad, distance_table,
+};
 use crate::diagnostics::Diagnostic;
 use crate::geodesic::{GeodesicError, Geodesics};
 use crate::layout::{Domain, Line, Network, Quad, Side, SideLengths, check_quad, place_anchors};
@@ -36,7 +39,10 @@ pub(super) struct Appraisal {
 impl Appraisal {
     /// Whether both families cover all peaks.
     pub(super) fn covered(&self, limits: &Limits) -> bool {
-        self.feasibility.eta().iter().all(|eta| *eta <= limits.eta_max)
+        self.feasibility
+            .eta()
+            .iter()
+            .all(|eta| *eta <= limits.eta_max)
     }
 
     /// Whether a build will find it feasible.
@@ -64,6 +70,7 @@ pub(super) struct Appraiser<'a> {
     anchors: BTreeMap<String, SurfacePoint>,
     lines: BTreeMap<[String; 2], Result<Side, GeodesicError>>,
     known: BTreeMap<Key, Measured>,
+    cancelled: Cancelled<'a>,
 }
 
 type Key = ([String; 4], [u32; 2]);
@@ -77,8 +84,14 @@ fn key(patch: &DraftPatch) -> Key {
 }
 
 impl<'a> Appraiser<'a> {
-    pub(super) fn new(surface: &'a SurfaceMesh, curvature: &'a Curvature, limits: Limits) -> Self {
+    pub(super) fn new(
+        surface: &'a SurfaceMesh,
+        curvature: &'a Curvature,
+        limits: Limits,
+        cancelled: Cancelled<'a>,
+    ) -> Self {
         Self {
+            cancelled,
             surface,
             curvature,
             limits,
@@ -175,6 +188,9 @@ impl<'a> Appraiser<'a> {
     }
 
     fn measure(&self, draft: &Draft, network: &Network, index: usize) -> Measured {
+        if (self.cancelled)() {
+            return Err(Vec::new());
+        }
         let patch = &draft.patches[index];
         let failed = |error: GeodesicError| {
             vec![Diagnostic::error(
@@ -201,7 +217,10 @@ impl<'a> Appraiser<'a> {
         let mesh = &self.surface.mesh;
         let feasibility =
             feasibility(mesh, self.curvature, &domain, &maps, slope).map_err(failed)?;
-        let covered = feasibility.eta().iter().all(|eta| *eta <= self.limits.eta_max);
+        let covered = feasibility
+            .eta()
+            .iter()
+            .all(|eta| *eta <= self.limits.eta_max);
         let demands = Demands {
             slope,
             members: patch.members,

@@ -32,10 +32,7 @@ pub(super) fn run(workshop: &mut Workshop<'_>) -> Result<(), NoSplit> {
 
 type Rule = fn(&Appraisal, &Limits) -> Option<Proposal>;
 
-fn proposals(
-    workshop: &mut Workshop<'_>,
-    rule: Rule,
-) -> Result<Vec<(String, Proposal)>, NoSplit> {
+fn proposals(workshop: &mut Workshop<'_>, rule: Rule) -> Result<Vec<(String, Proposal)>, NoSplit> {
     let limits = workshop.limits();
     let measured = workshop.appraise()?;
     Ok(workshop

@@ -19,9 +19,9 @@ use serde::{Deserialize, Serialize};
 /// step of 1/64 of the side changes it by less than 1e-4 of its excess.
 const FEET: usize = 65;
 
-/// Of ways that cover a peak equally well the straightest counts: what a way across half the patch
-/// more than opposite places costs, in η. Small against any excess that matters.
-const LEAN: f64 = 2e-4;
+/// Of the ways whose η exceeds 1 by less than this share of the paper's bound, all of which cover
+/// the peak, the straightest one says where a side over the peak would run.
+const COVERED: f64 = 0.5 * 0.0015;
 
 /// How a family covers a peak.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -30,10 +30,12 @@ pub struct Coverage {
     pub eta: f64,
     /// The peak.
     pub peak: SurfacePoint,
-    /// Share of the start side at which the way over the peak begins.
+    /// Share of the start side at which a side over the peak would begin.
     pub start: f64,
-    /// Share of the end side at which it ends.
+    /// Share of the end side at which it would end.
     pub end: f64,
+    /// From there to the peak and from the peak to there, metres.
+    pub arms: [f64; 2],
 }
 
 /// η of both families at a peak inside the patch: u first. `tables` are the distance maps of the
@@ -68,29 +70,34 @@ pub fn coverage(
         };
         // The map leads the way; it errs where geodesics jump from one side of the peak to the
         // other, so exact distances from both of its ends have the last word.
-        let led = best(pairs().map(|(i, j)| {
+        let led = straightest(pairs().map(|(i, j)| {
             let direct = table.distance_squared(share(i), share(j)).0.sqrt();
             (i, j, (to[0][i] + to[1][j]) / direct)
         }));
         let row = geodesics.field(&start[led.0], Reach::Targets(end))?;
         let row = distances(&row, end)?;
-        let from_start = best(
-            pairs()
-                .filter(|&(i, _)| i == led.0)
-                .map(|(i, j)| (i, j, (to[0][i] + to[1][j]) / row[j])),
-        );
-        let column = geodesics.field(&end[from_start.1], Reach::Targets(start))?;
+        let in_row: Vec<Pair> = pairs()
+            .filter(|&(i, _)| i == led.0)
+            .map(|(i, j)| (i, j, (to[0][i] + to[1][j]) / row[j]))
+            .collect();
+        let last = straightest(in_row.iter().copied()).1;
+        let column = geodesics.field(&end[last], Reach::Targets(start))?;
         let column = distances(&column, start)?;
-        let found = best(
-            pairs()
-                .filter(|&(_, j)| j == from_start.1)
-                .map(|(i, j)| (i, j, (to[0][i] + to[1][j]) / column[i])),
-        );
+        let in_column: Vec<Pair> = pairs()
+            .filter(|&(_, j)| j == last)
+            .map(|(i, j)| (i, j, (to[0][i] + to[1][j]) / column[i]))
+            .collect();
+        let exact = || in_row.iter().chain(&in_column).copied();
+        let (i, j, _) = straightest(exact());
         covers.push(Coverage {
-            eta: found.2.max(1.0),
+            eta: exact()
+                .map(|(_, _, eta)| eta)
+                .fold(f64::INFINITY, f64::min)
+                .max(1.0),
             peak: *peak,
-            start: share(found.0),
-            end: share(found.1),
+            start: share(i),
+            end: share(j),
+            arms: [to[0][i], to[1][j]],
         });
     }
     Ok([covers[0], covers[1]])
@@ -105,14 +112,23 @@ fn may_be_joined(start: f64, end: f64, [low, high]: [f64; 2]) -> bool {
     end >= least - 1e-12 && end <= most + 1e-12
 }
 
-/// The pair with the least η, leaning included; the first of equal ones.
-fn best(pairs: impl Iterator<Item = (usize, usize, f64)>) -> (usize, usize, f64) {
-    let cost = |&(i, j, eta): &(usize, usize, f64)| {
-        let lean = 2.0 * (share(i) - share(j));
-        eta + LEAN * lean * lean
+/// Places on both sides and η of the way between them.
+type Pair = (usize, usize, f64);
+
+/// The straightest of the pairs that cover the peak; the one that covers it best if none does.
+fn straightest(pairs: impl Iterator<Item = Pair>) -> Pair {
+    let cost = |&(i, j, eta): &Pair| {
+        let lean = share(i) - share(j);
+        (eta.max(1.0 + COVERED), lean * lean)
     };
     pairs
-        .reduce(|least, next| if cost(&next) < cost(&least) { next } else { least })
+        .reduce(|least, next| {
+            if cost(&next) < cost(&least) {
+                next
+            } else {
+                least
+            }
+        })
         .unwrap_or((0, 0, 1.0))
 }
 

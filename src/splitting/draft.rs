@@ -61,6 +61,8 @@ pub enum Refusal {
     MaxPatches(usize),
     /// The parts would be no quadrilaterals.
     Folded,
+    /// What stands against it is nothing that a cut changes.
+    NoHelp,
     /// Members through the corners of its parts would not go on in order in its neighbours.
     Order(Family),
 }
@@ -122,12 +124,12 @@ impl Draft {
             return Err(Refusal::MaxPatches(rules.max_patches));
         }
         let network = self.network();
-        let foot = |side: usize, share: f64| self.foot(&network, patch, side, share, lengths, rules);
+        let foot =
+            |side: usize, share: f64| self.foot(&network, patch, side, share, lengths, rules);
         let old = self.patches[patch].clone();
         let [a, b, c, d] = old.corners.clone();
-        let spaces = |family: usize, feet: [(usize, &Foot); 2]| {
-            self.spaces(&network, patch, family, feet)
-        };
+        let spaces =
+            |family: usize, feet: [(usize, &Foot); 2]| self.spaces(&network, patch, family, feet);
         let (quads, anchors): (Vec<([String; 4], [u32; 2])>, Vec<Point>) = match *proposal {
             Proposal::Edge {
                 along: Family::U,
@@ -294,8 +296,9 @@ impl Draft {
                 if there.line != here.line {
                     continue;
                 }
-                let [mut from, mut to] =
-                    there.shares.map(|s| (s - here.shares[0]) / (here.shares[1] - here.shares[0]));
+                let [mut from, mut to] = there
+                    .shares
+                    .map(|s| (s - here.shares[0]) / (here.shares[1] - here.shares[0]));
                 if from > to {
                     (from, to) = (to, from);
                 }
@@ -335,7 +338,12 @@ impl Draft {
     pub(super) fn sweep(&mut self, given: &BTreeSet<String>) {
         loop {
             let mut used: BTreeSet<&str> = given.iter().map(String::as_str).collect();
-            used.extend(self.patches.iter().flat_map(|p| &p.corners).map(String::as_str));
+            used.extend(
+                self.patches
+                    .iter()
+                    .flat_map(|p| &p.corners)
+                    .map(String::as_str),
+            );
             for point in &self.points {
                 if let Anchor::On { edge, .. } = &point.anchor {
                     used.extend(edge.iter().map(String::as_str));

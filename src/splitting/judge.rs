@@ -91,7 +91,9 @@ fn proposed(
         .zip(bunching)
         .filter(|(_, bunches)| *bunches)
         .map(|((family, slopes), _)| match slopes {
-            Some([low, high]) => format!("slopes of the {family}-family from {low:.2} to {high:.2}"),
+            Some([low, high]) => {
+                format!("slopes of the {family}-family from {low:.2} to {high:.2}")
+            }
             None => format!("no cladding function of the {family}-family"),
         })
         .collect();

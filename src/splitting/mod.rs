@@ -18,9 +18,7 @@ mod judge;
 mod proposal;
 mod split;
 
-pub use check::{
-    AngleCheck, DiagonalCheck, Findings, PatchCheck, PeakCheck, PerFamily, check,
-};
+pub use check::{AngleCheck, DiagonalCheck, Findings, PatchCheck, PeakCheck, PerFamily, check};
 pub use coverage::{Coverage, coverage};
 pub use draft::{Draft, DraftPatch, Refusal};
 pub use feasibility::{Feasibility, JudgedPeak, feasibility};

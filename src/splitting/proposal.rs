@@ -71,10 +71,13 @@ pub(super) fn against_bunching(feasibility: &Feasibility, bunching: [bool; 2]) -
         let mut ends = peak.coverage.iter().flat_map(|c| [c.start, c.end]);
         ends.all(inner)
     };
-    let (at, shares) = feasibility.peaks.iter().find(covers).map_or(
-        (feasibility.centre, [[0.5; 2]; 2]),
-        |peak| (peak.place, peak.coverage.map(|c| [c.start, c.end])),
-    );
+    let (at, shares) = feasibility
+        .peaks
+        .iter()
+        .find(covers)
+        .map_or((feasibility.centre, [[0.5; 2]; 2]), |peak| {
+            (peak.place, peak.coverage.map(|c| [c.start, c.end]))
+        });
     match bunching {
         [false, false] => None,
         [true, false] => Some(Proposal::across(Family::U, shares)),

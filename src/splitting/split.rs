@@ -73,9 +73,17 @@ impl<'a> Workshop<'a> {
         if (self.cancelled)() {
             return Err(NoSplit::Cancelled);
         }
-        self.appraiser
-            .appraise(&self.draft)
-            .map_err(|_| NoSplit::Unmeasured)
+        let measured = self.appraiser.appraise(&self.draft);
+        // What was measured since may be half done.
+        if (self.cancelled)() {
+            return Err(NoSplit::Cancelled);
+        }
+        measured.map_err(|_| NoSplit::Unmeasured)
+    }
+
+    /// Takes a patch as it is: nothing that is known helps it.
+    pub(super) fn give_up(&mut self, name: &str) {
+        self.stuck.insert(name.to_owned(), Refusal::NoHelp);
     }
 
     /// Whether members can be laid through the draft, all of whose patches have plans.
@@ -160,6 +168,7 @@ pub fn split(
                 eta_max: limits.eta_max,
                 slope: limits.slope,
             },
+            cancelled,
         ),
         draft: draft.clone(),
         rules: Rules {
@@ -242,11 +251,8 @@ fn account(
                 )
                 .at_key(&key, "in this patch")
                 .about(&part.name)
-                .note(why.map_or_else(
-                    || "no cut that was tried makes it better".to_owned(),
-                    refusal_words,
-                ))
-                .help(why.map_or("move its corners", refusal_advice)),
+                .note(refusal_words(why.unwrap_or(&Refusal::NoHelp)))
+                .help(refusal_advice(why.unwrap_or(&Refusal::NoHelp))),
             );
         }
     }
@@ -304,6 +310,7 @@ fn refusal_words(refusal: &Refusal) -> String {
         }
         Refusal::MaxPatches(most) => format!("there would be more than {most} patches"),
         Refusal::Folded => "the parts would be no quadrilaterals".to_owned(),
+        Refusal::NoHelp => "no cut makes it better".to_owned(),
         Refusal::Order(family) => format!(
             "members of the {}-family through its corners would not go on in order in its \
              neighbours",
@@ -317,7 +324,7 @@ fn refusal_advice(refusal: &Refusal) -> &'static str {
         Refusal::Members(_) | Refusal::Order(_) => "give the strip more members",
         Refusal::MinSide(_) => "allow shorter sides",
         Refusal::MaxPatches(_) => "allow more patches (`split.max_patches`)",
-        Refusal::Folded => "move its corners",
+        Refusal::Folded | Refusal::NoHelp => "move its corners",
     }
 }
 

@@ -3,17 +3,15 @@
 use super::{judged, plain};
 use crate::build::{Attempt, Failure, Node, Numerics, Stage};
 use crate::cladding::{
-    AngleChoice, Clad, Demands, DistanceTable, Infeasible, Maps, SAMPLES, choose_angle, clad, distance_table,
-    explain,
+    AngleChoice, Clad, Demands, DistanceTable, Infeasible, Maps, SAMPLES, choose_angle, clad,
+    distance_table, explain,
 };
 use crate::diagnostics::codes::cladding as codes;
 use crate::diagnostics::{Code, Diagnostic};
 use crate::geodesic::GeodesicError;
 use crate::layout::{Domain, SideLengths};
 use crate::project::model::Family;
-use crate::splitting::{
-    Criteria, Feasibility, Findings, PatchCheck, check, feasibility, judge,
-};
+use crate::splitting::{Criteria, Feasibility, Findings, PatchCheck, check, feasibility, judge};
 use crate::surface::{Curvature, SurfaceMesh};
 use serde::Serialize;
 

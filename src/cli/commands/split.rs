@@ -7,8 +7,8 @@ use crate::cli::console::{Console, out};
 use crate::cli::design::Opened;
 use crate::cli::exit::Exit;
 use crate::cli::run::Job;
-use crate::project::model::Workflow;
 use crate::project::layout_text;
+use crate::project::model::Workflow;
 use std::path::Path;
 
 pub(in crate::cli) fn run(
