@@ -7,20 +7,24 @@
 //! | have all criteria in one record | [`check`] |
 //! | know where a patch can be split | [`Proposal`] |
 
+mod account;
 mod appraise;
 mod automatic;
 mod check;
 mod coverage;
+mod cut;
 mod draft;
 mod feasibility;
 mod informed;
 mod judge;
+mod merging;
 mod proposal;
 mod split;
 
 pub use check::{AngleCheck, DiagonalCheck, Findings, PatchCheck, PeakCheck, PerFamily, check};
 pub use coverage::{Coverage, coverage};
-pub use draft::{Draft, DraftPatch, Refusal};
+pub use cut::Refusal;
+pub use draft::{Draft, DraftPatch};
 pub use feasibility::{Feasibility, JudgedPeak, feasibility};
 pub use judge::{Criteria, judge};
 pub use proposal::Proposal;
