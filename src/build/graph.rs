@@ -11,6 +11,7 @@
 //! | `line` | line | | `surface`, the anchors at its ends |
 //! | `station` | point on a line | its share | `surface`, `line` |
 //! | `patch` | patch | shares of its corners on their lines | `surface`, four `line` |
+//! | `network` | structure | names, shares of corners on their lines | `surface`, `line`s, `patch`es |
 //! | `sides` | patch | | `patch` |
 //! | `distances` | patch and family | | `patch` |
 //! | `angles` | patch | `members`, `split.slope`, `lamella.width` | `sides`, `distances` |
@@ -21,6 +22,7 @@
 //! | `schedule` | strip | `members`, `distribution.weights`, shares of corners | `cladding` |
 //! | `strip` | strip | the same | `patch`, `cladding`, `schedule` |
 //! | `members` | patch and family | | `strip` |
+//! | `strip-chapter` | strip | names | `schedule`, `strip` |
 //! | `grid` | patch | | `patch`, `members` |
 //! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
 //! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |
@@ -31,8 +33,8 @@
 //! | `plan` | structure | name | skeleton, chapters, `nest`, `bill` |
 //! | `*-files` | patch or structure | what the drawings show | chapters, `nest`, `bill` |
 //!
-//! Names of points and patches are targets of instances, not inputs, up to the chapters: a patch
-//! that is renamed keeps its geometry. Points and patches are declared by name, so their order in
+//! Names of points and patches are targets of instances, not inputs, up to judgements and chapters
+//! (and of `split`, which makes new ones): a patch that is renamed keeps its geometry. Points and patches are declared by name, so their order in
 //! the file does not matter either.
 
 use super::passages::{count, family_target, strip_groups};
@@ -41,11 +43,15 @@ use super::stages::cladding::{
     FEASIBILITY, FeasibilityInput, JUDGEMENT, SIDES,
 };
 use super::stages::fabrication::{
-    ABOVE_FILES, BILL, BillInput, CLADDING_FILES, DrawingInput, LAYOUT_FILES, NEST, NestInput,
-    PLAN_FILE, SHEET_FILES, TABLE_FILES, WORKSHOP,
+    ABOVE_FILES, BILL, BillInput, CLADDING_FILES, DrawingInput, LAYOUT_FILES, NEST, NETWORK_FILES,
+    NestInput, NetworkDrawingInput, PLAN_FILE, SHEET_FILES, TABLE_FILES, WORKSHOP,
 };
-use super::stages::layout::{ANCHOR, ANCHORS, Anchors, LINE, PATCH, PatchInput, STATION};
-use super::stages::members::{GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP};
+use super::stages::layout::{
+    ANCHOR, ANCHORS, Anchors, LINE, NETWORK, NetworkInput, PATCH, PatchInput, STATION,
+};
+use super::stages::members::{
+    GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP, STRIP_CHAPTER, StripChapterInput,
+};
 use super::stages::plan::{
     CHAPTER, ChapterInput, EdgeInput, PLAN, PlanInput, SKELETON, SkeletonInput,
 };
@@ -56,9 +62,10 @@ use super::unfolding::{Origins, draft_of};
 use super::{Built, Graph, Node, SourceFile, Warnings};
 use crate::cladding::{AngleChoice, Clad};
 use crate::diagnostics::{KeyPath, SpanTable};
+use crate::fabrication::NamedQuad;
 use crate::fabrication::nesting::Settings;
 use crate::grid::Section;
-use crate::layout::{Domain, Network, Side, edge_id};
+use crate::layout::{Domain, Network, Side, SidePiece, edge_id};
 use crate::members::Member;
 use crate::plan::Plan;
 use crate::project::model::{Family, Patch, Point, Project, Split, Workflow};
@@ -231,7 +238,9 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
         .enumerate()
         .map(|(i, patch)| plan_patch(graph, &basis, &mut lines, patch, i, told))
         .collect();
-    let members = weave_strips(graph, &basis, &patches, &planned);
+    let neighbours = check_neighbours(graph, &basis, &mut lines, &patches, &planned);
+    told.push((String::new(), neighbours.warnings()));
+    let (members, strips) = weave_strips(graph, &basis, &patches, &planned, told);
     let chapters: Vec<Node<Plan>> = patches
         .iter()
         .enumerate()
@@ -288,10 +297,18 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
         PlanInput {
             name: project.name.clone(),
             subjects,
+            allowed: project.allowed_lints.clone(),
         },
-        (skeleton, chapters.clone(), nest, bill, warnings),
+        (
+            skeleton,
+            chapters.iter().copied().chain(strips).collect(),
+            nest,
+            bill,
+            warnings,
+        ),
     );
     graph.origin(plan, "name", "project.name");
+    graph.origin(plan, "allowed", "lints.allow");
     match extent {
         Extent::Plan => return,
         Extent::Checks => {
@@ -318,6 +335,19 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
     );
     graph.origin(above, "", "project.name");
     graph.publish(above);
+    let names = NetworkDrawingInput {
+        name: project.name.clone(),
+        patches: patches
+            .iter()
+            .zip(&network.sides)
+            .map(|(patch, sides)| {
+                NamedQuad::new(&patch.name, &patch.corners, edges_of(&network, sides))
+            })
+            .collect(),
+    };
+    let drawn = graph.add(&NETWORK_FILES, "", names, skeleton);
+    graph.origin(drawn, "name", "project.name");
+    graph.publish(drawn);
     let sheets = graph.add(&SHEET_FILES, "", drawing(), (chapters.clone(), nest));
     drawing_origins(graph, sheets);
     graph.publish(sheets);
@@ -424,6 +454,9 @@ impl<'n> Lines<'n> {
         let ends = line.ends().map(|name| self.point(graph, name));
         let node = graph.add(&LINE, line.id(), (), (self.surface, ends[0], ends[1]));
         graph.origin(node, "", self.origins.point_key(line.ends()[0]));
+        for (field, name) in ["from", "to"].into_iter().zip(line.ends()) {
+            graph.name(node, field, name);
+        }
         self.declared.insert(index, node);
         node
     }
@@ -520,6 +553,10 @@ fn plan_patch(
     let domain = graph.add(&PATCH, name, PatchInput { corners }, needs);
     graph.origin(domain, "", &here);
     graph.origin(domain, "corners", format!("{here}.corners"));
+    graph.name(domain, "", name);
+    for (i, corner) in patch.corners.iter().enumerate() {
+        graph.name(domain, format!("corners[{i}]"), corner);
+    }
 
     let sides = graph.add(&SIDES, name, (), domain);
     let [u, v] = [Family::U, Family::V].map(|family| {
@@ -607,6 +644,34 @@ fn checks(graph: &mut Graph<'_>, basis: &Basis<'_>, patches: &[Patch], planned: 
     graph.add(&CHECKS, "", (), nodes);
 }
 
+/// The check of all patches together.
+fn check_neighbours(
+    graph: &mut Graph<'_>,
+    basis: &Basis<'_>,
+    lines: &mut Lines<'_>,
+    patches: &[Patch],
+    planned: &[PlannedPatch],
+) -> Node<()> {
+    let network = basis.network;
+    let input = NetworkInput {
+        network: network.clone(),
+        patches: patches
+            .iter()
+            .map(|patch| (patch.name.clone(), patch.corners.clone()))
+            .collect(),
+    };
+    let sides = (0..network.lines.len())
+        .map(|index| lines.line(graph, index))
+        .collect();
+    let domains = planned.iter().map(|patch| patch.domain).collect();
+    let node = graph.add(&NETWORK, "", input, (basis.surface, sides, domains));
+    for (i, patch) in patches.iter().enumerate() {
+        let here = basis.origins.patch_key(&patch.name);
+        graph.origin(node, format!("patches[{i}]"), here);
+    }
+    node
+}
+
 type MembersOf = BTreeMap<(usize, Family), Node<Vec<Member>>>;
 
 /// Members of all strips, and of each family of each patch out of them.
@@ -615,8 +680,10 @@ fn weave_strips(
     basis: &Basis<'_>,
     patches: &[Patch],
     planned: &[PlannedPatch],
-) -> MembersOf {
+    told: &mut Vec<(String, Warnings)>,
+) -> (MembersOf, Vec<Node<Plan>>) {
     let mut members = MembersOf::new();
+    let mut chapters = Vec::new();
     let distribution = &basis.design.project.distribution;
     for group in strip_groups(distribution, patches, basis.network) {
         let patches_in = || group.passages.iter().map(|&(patch, _)| &planned[patch]);
@@ -624,7 +691,16 @@ fn weave_strips(
         let domains = patches_in().map(|p| p.domain).collect();
         let schedule = graph.add(&SCHEDULE, &group.name, group.input.clone(), clads.clone());
         let needs = (domains, clads, schedule);
+        let closed = group.input.closed;
         let strip = graph.add(&STRIP, &group.name, group.input, needs);
+        told.push((group.name.clone(), strip.warnings()));
+        let families = group.passages.iter();
+        let families = families.map(|&(patch, family)| family_target(&patches[patch].name, family));
+        let input = StripChapterInput {
+            families: families.collect(),
+            closed,
+        };
+        chapters.push(graph.add(&STRIP_CHAPTER, &group.name, input, (schedule, strip)));
         for (i, &(patch, family)) in group.passages.iter().enumerate() {
             let name = &patches[patch].name;
             let here = basis.origins.patch_key(name);
@@ -634,7 +710,7 @@ fn weave_strips(
             members.insert((patch, family), node);
         }
     }
-    members
+    (members, chapters)
 }
 
 /// Where the fields of a passage come from.
@@ -686,17 +762,10 @@ fn chapter(
     );
     told.push((name.clone(), lamellae.warnings()));
 
-    let sides = network.sides[index].map(|piece| {
-        let stations = &network.lines[piece.line].stations;
-        piece
-            .segments()
-            .map(|(i, j)| edge_id(&stations[i].name, &stations[j].name))
-            .collect()
-    });
     let input = ChapterInput {
         patch: name.clone(),
         corners: patch.corners.clone(),
-        sides,
+        sides: edges_of(network, &network.sides[index]),
         material: patch.lamella.material.clone(),
         section,
     };
@@ -705,6 +774,17 @@ fn chapter(
     graph.origin(chapter, "", &here);
     graph.origin(chapter, "material", lamella_key(basis, name, "material"));
     chapter
+}
+
+/// Ids of the edges of the sides of a patch, in the order of travel.
+fn edges_of(network: &Network, sides: &[SidePiece; 4]) -> [Vec<String>; 4] {
+    sides.map(|piece| {
+        let stations = &network.lines[piece.line].stations;
+        piece
+            .segments()
+            .map(|(i, j)| edge_id(&stations[i].name, &stations[j].name))
+            .collect()
+    })
 }
 
 /// What shapes the lamellae of a patch.

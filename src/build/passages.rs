@@ -80,7 +80,16 @@ pub(super) fn strip_groups(
             StripGroup {
                 name: family_target(&patches[patch].name, family),
                 passages: group.iter().map(|&i| all[i]).collect(),
-                input: StripInput { passages },
+                input: StripInput {
+                    passages,
+                    closed: group.iter().any(|&i| {
+                        let (patch, family) = all[i];
+                        let named = |(name, asked): &(String, Family)| {
+                            *name == patches[patch].name && *asked == family
+                        };
+                        distribution.closed.iter().any(named)
+                    }),
+                },
             }
         })
         .collect()

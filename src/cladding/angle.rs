@@ -21,7 +21,7 @@ const LOCATE: f64 = 0.002 * DEGREE;
 const ROUND: f64 = 0.1 * DEGREE;
 /// A plan whose corner is this close to a straight angle has no defined corner when assembled,
 /// radians.
-const CONVEXITY: f64 = 3.0 * DEGREE;
+pub(super) const CONVEXITY: f64 = 3.0 * DEGREE;
 /// Flat lamellae of a family keep this share of their width as play between them.
 const PLAY: f64 = 0.1;
 /// Members that cross at a smaller planar angle share so long a contact that bolts cannot keep

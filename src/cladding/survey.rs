@@ -1,6 +1,7 @@
 //! Where a patch without a feasible plan stands: the slopes of both families at the angle at which
 //! they violate the bounds least.
 
+use super::angle::CONVEXITY;
 use super::{Maps, PlanarQuad, trace};
 use crate::project::model::Family;
 use serde::{Deserialize, Serialize};
@@ -31,7 +32,7 @@ impl Survey {
 pub fn survey(maps: &Maps<'_>, bounds: [f64; 2]) -> Option<Survey> {
     let (low, high) = maps.sides.convex_range()?;
     let steps = ((high - low) / STEP).ceil().max(8.0) as u32;
-    let mut best: Option<([f64; 2], Survey)> = None;
+    let mut best: Option<([f64; 3], Survey)> = None;
     for k in 0..steps {
         let alpha = low + (high - low) * (f64::from(k) + 0.5) / f64::from(steps);
         let Some(quad) = PlanarQuad::new(maps.sides, alpha) else {
@@ -42,7 +43,9 @@ pub fn survey(maps: &Maps<'_>, bounds: [f64; 2]) -> Option<Survey> {
             Some(function.slope_range())
         });
         let [u, v] = slopes.map(|slopes| violation(slopes, bounds));
-        let rank = [u.max(v), u + v];
+        // A corner that is nearly straight speaks against an angle whatever the slopes.
+        let flat = f64::from(quad.convexity_margin() < CONVEXITY);
+        let rank = [flat, u.max(v), u + v];
         if best.is_none_or(|(least, _)| rank < least) {
             best = Some((rank, Survey { alpha, slopes }));
         }

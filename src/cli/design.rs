@@ -13,8 +13,9 @@ const UNREADABLE_MESH: Code = Code::new("E0901");
 const OUTSIDE: Code = Code::new("E0902");
 
 /// What the pipeline does beyond cutting lamellae from patches as they stand.
-const BUILT: [Capability; 5] = [
+const BUILT: [Capability; 6] = [
     Capability::SeveralPatches,
+    Capability::ClosedStrips,
     Capability::Splitting,
     Capability::Shells,
     Capability::KerfCompensation,

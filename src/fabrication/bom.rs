@@ -4,7 +4,7 @@
 //! every node, shells and stickers from the crossings that slide. Spares are a twentieth,
 //! rounded up, at least two. Rows stand in the order of categories and of their ids.
 
-use super::hardware::{SHELL_EXCESS, Series, TUBE_SAW, tube_mass_per_metre};
+use super::hardware::{Fastener, SHELL_EXCESS, Series, TUBE_SAW, tube_mass_per_metre};
 use super::index::PlanIndex;
 use super::nesting::Group;
 use super::nodes::{Node, nodes};
@@ -143,13 +143,18 @@ fn fasteners(nodes: &[Node<'_>], shopping: &Shopping<'_>) -> Result<Vec<BomRow>,
         .map_or(0.0, |s| s.thickness);
     // Lengths in micrometres, which compare exactly.
     let mut lengths: BTreeMap<u64, usize> = BTreeMap::new();
+    let mut rods: BTreeMap<u64, usize> = BTreeMap::new();
     for node in nodes {
         let stack = node.lamellae_thickness + 2.0 * foil * node.sliding as f64;
-        match series.bolt_length(stack) {
-            Ok(length) => *lengths.entry((length * 1e6) as u64).or_default() += 1,
+        match series.fastener(stack) {
+            Ok(Fastener::Bolt(length)) => *lengths.entry((length * 1e6) as u64).or_default() += 1,
+            Ok(Fastener::Rod(length)) => {
+                *rods.entry(libm::round(length * 1e6) as u64).or_default() += 1;
+            }
             Err(need) => return Err(vec![too_short(node, series, need, &bolt.name)]),
         }
     }
+    let second_nuts: usize = rods.values().sum();
     let piece = |id: String, description: &str, specification: String, count: usize, mass| BomRow {
         id,
         category: "fastener".to_owned(),
@@ -178,11 +183,22 @@ fn fasteners(nodes: &[Node<'_>], shopping: &Shopping<'_>) -> Result<Vec<BomRow>,
             )
         })
         .collect();
+    rows.extend(rods.into_iter().map(|(micrometres, count)| {
+        let length = micrometres as f64 * 1e-6;
+        let millimetres = trim(length * MM);
+        piece(
+            format!("rod-{key}x{millimetres}"),
+            "threaded rod, cut to length",
+            format!("DIN 976 {name}x{millimetres}"),
+            count,
+            series.rod_mass(length),
+        )
+    }));
     rows.push(piece(
         format!("nut-{key}"),
         "lock nut",
         format!("DIN 985 {name}"),
-        nodes.len(),
+        nodes.len() + second_nuts,
         series.nut_mass(),
     ));
     rows.push(piece(

@@ -8,7 +8,7 @@
 //! | [`part`], [`labels`] | a lamella as the shapes that cut it |
 //! | [`lints`], [`hardware`] | what a workshop would object to |
 //! | [`sheet`] | cut file and overview of a sheet |
-//! | [`layout`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
+//! | [`layout`], [`network`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
 //! | [`tables`] | CSV |
 //! | [`drawing`], [`stroke_font`] | the neutral drawing and its letters |
 //! | [`dxf`], [`svg`] | the two writers, one file a drawing |
@@ -30,6 +30,7 @@ pub mod layout;
 pub mod lints;
 pub mod names;
 pub mod nesting;
+pub mod network;
 pub mod nodes;
 mod outputs;
 pub mod part;
@@ -39,7 +40,8 @@ pub mod svg;
 pub mod tables;
 pub mod units;
 
+pub use network::NamedQuad;
 pub use outputs::{
-    Inputs, OutputFile, above_files, blanks, check, cladding_files, layout_files, outputs, parts,
-    sheet_files, table_files,
+    Inputs, OutputFile, above_files, blanks, check, cladding_files, layout_files, network_files,
+    outputs, parts, sheet_files, table_files,
 };

@@ -1,7 +1,7 @@
 //! Tables for spreadsheets: UTF-8, comma, line feed, decimal points, units in the headers, rows
 //! in the plan's order.
 
-use super::hardware::Series;
+use super::hardware::{Fastener, Series};
 use super::index::PlanIndex;
 use super::nodes::nodes;
 use super::part::short_id;
@@ -231,10 +231,11 @@ fn bolts<'a>(
     let mut bolts = BTreeMap::new();
     for node in nodes(&plan.crossings, index, 0.25 * hardware.bolt.diameter) {
         let stack = node.lamellae_thickness + 2.0 * foil * node.sliding as f64;
-        let length = Series::of(hardware.bolt.diameter).and_then(|s| s.bolt_length(stack).ok());
-        let (Some(length), Some(first)) = (length, node.crossings.first()) else {
+        let fastener = Series::of(hardware.bolt.diameter).and_then(|s| s.fastener(stack).ok());
+        let (Some(fastener), Some(first)) = (fastener, node.crossings.first()) else {
             continue;
         };
+        let (Fastener::Bolt(length) | Fastener::Rod(length)) = fastener;
         for crossing in &node.crossings {
             bolts.insert(
                 crossing.id.as_str(),

@@ -7,6 +7,9 @@ mod openings;
 mod round;
 mod write;
 
-pub use chapter::{EdgePiece, PatchNames, PatchResults, bind, patch_chapter, skeleton_chapter};
+pub use chapter::{
+    EdgePiece, PatchNames, PatchResults, StripNames, bind, patch_chapter, skeleton_chapter,
+    strip_chapter,
+};
 pub use document::*;
 pub use write::{FORMAT, ReadError, from_ron, schema, to_json, to_ron};

@@ -120,7 +120,9 @@ fn refusal_words(refusal: &Refusal) -> String {
         Refusal::MinSide(least) => {
             format!("parts would have sides shorter than `split.min_side`, {least} m")
         }
-        Refusal::MaxPatches(most) => format!("there would be more than {most} patches"),
+        Refusal::MaxPatches(most) => {
+            format!("there would be more patches than `split.max_patches`, {most}")
+        }
         Refusal::Folded => "the parts would be no quadrilaterals".to_owned(),
         Refusal::NoHelp => "no cut makes it better".to_owned(),
         Refusal::Order(family) => format!(

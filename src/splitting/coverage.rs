@@ -19,9 +19,12 @@ use serde::{Deserialize, Serialize};
 /// step of 1/64 of the side changes it by less than 1e-4 of its excess.
 const FEET: usize = 65;
 
-/// Of the ways whose η exceeds 1 by less than this share of the paper's bound, all of which cover
-/// the peak, the straightest one says where a side over the peak would run.
+/// Ways whose η exceeds 1 by less than half of what the paper allows all cover the peak: the
+/// straightest of them says where a side over the peak would run.
 const COVERED: f64 = 0.5 * 0.0015;
+/// What a way from one corner of a patch to the opposite one would cost in η more than one between
+/// opposite places: of ways that pass beside the peak, straight ones are looked for first.
+const LEAN: f64 = 0.05;
 
 /// How a family covers a peak.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -115,11 +118,12 @@ fn may_be_joined(start: f64, end: f64, [low, high]: [f64; 2]) -> bool {
 /// Places on both sides and η of the way between them.
 type Pair = (usize, usize, f64);
 
-/// The straightest of the pairs that cover the peak; the one that covers it best if none does.
+/// The straightest of the pairs that cover the peak; one that is straight and covers it well if
+/// none does.
 fn straightest(pairs: impl Iterator<Item = Pair>) -> Pair {
     let cost = |&(i, j, eta): &Pair| {
         let lean = share(i) - share(j);
-        (eta.max(1.0 + COVERED), lean * lean)
+        eta.max(1.0 + COVERED) + LEAN * lean * lean
     };
     pairs
         .reduce(|least, next| {

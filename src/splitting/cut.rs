@@ -167,7 +167,8 @@ impl Draft {
         if (share - 0.5).abs() < MIDDLE {
             share = 0.5;
         }
-        let share = (share * 1000.0).round() / 1000.0;
+        // From the middle, so that mirror images are rounded to mirror images.
+        let share = rounded(0.5 + ((share - 0.5) * 1000.0).round() / 1000.0, 3);
         let near = stations(network, patch, side)
             .into_iter()
             .filter(|(_, at)| (at - share).abs() < SNAP && *at >= least && *at <= 1.0 - least)

@@ -121,7 +121,8 @@ fn words(proposal: &Proposal, criteria: &Criteria) -> String {
         let (i, j) = [(0, 1), (1, 2), (3, 2), (0, 3)][number];
         let name = ["12", "23", "34", "41"][number];
         let [from, to] = [i, j].map(|k: usize| &corners[k]);
-        format!("`{patch}-s{name} = {{ on = [\"{from}\", \"{to}\"], at = {at:.3} }}`")
+        let at = (at * 1000.0).round() / 1000.0;
+        format!("`{patch}-s{name} = {{ on = [\"{from}\", \"{to}\"], at = {at} }}`")
     };
     match *proposal {
         Proposal::Edge { along, from, to } => {

@@ -95,6 +95,56 @@ fn the_sphere_cap_shows_its_figures() {
 }
 
 #[test]
+fn the_pavilion_shows_its_figures() {
+    let built = shown("pavilion");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/pavilion/patches.svg",
+    );
+}
+
+#[test]
+fn the_prototype_shows_its_figures() {
+    shown("prototype");
+}
+
+#[test]
+fn the_peak_shows_its_figures() {
+    shown("peak");
+}
+
+#[test]
+fn the_great_court_shows_its_figures() {
+    let built = shown("great-court");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/great-court/patches.svg",
+    );
+}
+
+#[test]
+fn the_lilium_tower_shows_its_figures() {
+    let built = shown("lilium-tower");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/lilium-tower/patches.svg",
+    );
+}
+
+#[test]
+fn the_yas_hotel_shows_its_figures() {
+    let built = shown("yas-hotel");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/yas-hotel/patches.svg",
+    );
+}
+
+#[test]
 fn every_project_has_a_test_here_and_a_line_in_the_readme() {
     let tests = current::read("tests/documents/projects.rs");
     let readme = current::read("README.md");

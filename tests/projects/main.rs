@@ -20,6 +20,16 @@ const PROJECTS: [&str; 4] = [
     "tests/corpus/designs/junction.toml",
 ];
 
+/// Structures of several patches: all shapes of networks.
+const STRUCTURES: [&str; 6] = [
+    "projects/pavilion/pavilion.toml",
+    "projects/prototype/prototype.toml",
+    "projects/great-court/great-court.toml",
+    "projects/lilium-tower/lilium-tower.toml",
+    "projects/yas-hotel/yas-hotel.toml",
+    "tests/corpus/designs/ring-closed.toml",
+];
+
 /// A file of the repository.
 fn root(path: &str) -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join(path)

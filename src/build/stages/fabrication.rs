@@ -5,7 +5,7 @@ use crate::build::{Failure, Files, Node, Numerics, Stage};
 use crate::diagnostics::{Checked, Warned};
 use crate::fabrication::bom::{self, Shopping};
 use crate::fabrication::nesting::{Blank, Nest, Settings, nest};
-use crate::fabrication::{self as outputs, Inputs, OutputFile};
+use crate::fabrication::{self as outputs, Inputs, NamedQuad, OutputFile};
 use crate::plan::{BomRow, Plan, bind, to_ron};
 use crate::project::model::{Fabrication, Grain, Hardware, Material, Stock};
 use serde::Serialize;
@@ -135,6 +135,27 @@ pub(in crate::build) const ABOVE_FILES: Stage<String, (Node<Plan>, Vec<Node<Plan
             files(outputs::above_files(&plan))
         },
     };
+
+/// What the drawing of the network is told of patches.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct NetworkDrawingInput {
+    pub(in crate::build) name: String,
+    pub(in crate::build) patches: Vec<NamedQuad>,
+}
+
+/// The layout: anchors, sides and patches from above.
+pub(in crate::build) const NETWORK_FILES: Stage<NetworkDrawingInput, Node<Plan>, Files> = Stage {
+    name: "network-files",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, skeleton, _| {
+        files(outputs::network_files(
+            &input.name,
+            &input.patches,
+            skeleton,
+        ))
+    },
+};
 
 /// Cut files and overviews of all sheets.
 pub(in crate::build) const SHEET_FILES: Stage<DrawingInput, (Vec<Node<Plan>>, Node<Nest>), Files> =
