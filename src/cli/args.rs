@@ -71,10 +71,22 @@ pub(super) enum Command {
         /// Name of the project and of its folder
         name: String,
     },
-    /// Check a project without writing files
+    /// Check a project without writing files, and print the criteria of its patches
     Check {
         #[command(flatten)]
         file: ProjectFile,
+        /// How the criteria are printed
+        #[arg(long, value_enum, default_value_t)]
+        format: CheckFormat,
+    },
+    /// Split patches that cannot be built in one piece, and print the points and patches as text
+    /// for the project file
+    Split {
+        #[command(flatten)]
+        file: ProjectFile,
+        /// How; `split.workflow` of the project where unsaid, or automatic
+        #[arg(long, value_enum)]
+        workflow: Option<SplitWorkflow>,
     },
     /// Compile a project into its plan, drawings and tables
     Build {
@@ -173,6 +185,23 @@ pub(super) enum PlanFormat {
     #[default]
     Json,
     Ron,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum CheckFormat {
+    /// For people
+    #[default]
+    Table,
+    /// For scripts
+    Json,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum SplitWorkflow {
+    /// Sides over peaks of curvature, corners on them where that is not enough
+    Automatic,
+    /// By curvature: corners on peaks, patches as large as they can be, neighbours merged
+    Informed,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]

@@ -10,12 +10,13 @@ mod exit;
 mod interrupt;
 mod progress;
 mod run;
+mod table;
 
 use crate::build::Request;
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
 use commands::{
-    build, cache, check, explain, export, graph, init, materials, schema, verify, watch,
+    build, cache, check, explain, export, graph, init, materials, schema, split, verify, watch,
 };
 use console::Console;
 use exit::Exit;
@@ -57,7 +58,12 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
     }
     let ended = match command {
         Command::Init { name } => Ok(init::run(console, &name)),
-        Command::Check { file } => check::run(console, &global, file.path.as_deref()),
+        Command::Check { file, format } => {
+            check::run(console, &global, file.path.as_deref(), format)
+        }
+        Command::Split { file, workflow } => {
+            split::run(console, &global, file.path.as_deref(), workflow)
+        }
         Command::Build {
             file,
             selection,

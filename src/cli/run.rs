@@ -9,7 +9,7 @@ use super::exit::Exit;
 use super::interrupt;
 use super::progress::Progress;
 use crate::build::graph::{Design, Extent, declare};
-use crate::build::{Built, Engine, Explanation, Graph, Request, Settings, SourceFile};
+use crate::build::{Built, Engine, Explanation, Request, Settings, SourceFile};
 use crate::diagnostics::{Severity, without_allowed};
 use crate::project::model::Project;
 use std::path::PathBuf;
@@ -63,7 +63,7 @@ impl Job {
         };
         let built = self.engine.build(
             request,
-            &|graph: &mut Graph<'_>| declare(graph, design, extent),
+            &|graph| declare(graph, design, extent),
             &cancel,
             &mut |event| progress.show(event),
         );
@@ -86,7 +86,7 @@ impl Job {
         extent: Extent,
     ) -> Result<crate::build::Plan, Exit> {
         let design = self.design()?;
-        Ok(self.engine.plan(request, &|graph: &mut Graph<'_>| {
+        Ok(self.engine.plan(request, &|graph| {
             declare(graph, design, extent);
         }))
     }
@@ -98,7 +98,7 @@ impl Job {
         extent: Extent,
     ) -> Result<Option<Explanation>, Exit> {
         let design = self.design()?;
-        Ok(self.engine.explain(subject, &|graph: &mut Graph<'_>| {
+        Ok(self.engine.explain(subject, &|graph| {
             declare(graph, design, extent);
         }))
     }

@@ -99,7 +99,19 @@ fn prove(name: &str) {
     let exported = with(&["export", "--format", "ron"]);
     assert!(exported.out.as_bytes() == first["plan.ron"].as_slice());
     let checked = with(&["check"]);
-    assert_eq!(checked.out, "");
+    // A head, a row a patch, the limits.
+    assert_eq!(checked.out.lines().count(), plan.patches.len() + 2);
+    for patch in &plan.patches {
+        let row = checked
+            .out
+            .lines()
+            .find(|row| row.split_whitespace().next() == Some(&patch.id));
+        assert!(
+            row.is_some_and(|row| row.ends_with("feasible")),
+            "{}",
+            checked.out
+        );
+    }
     assert_eq!(checked.err, format!("     Checked {}\n", plan.name));
 
     holds(&plan, &model(&project));

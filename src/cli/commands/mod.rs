@@ -9,5 +9,6 @@ pub(super) mod graph;
 pub(super) mod init;
 pub(super) mod materials;
 pub(super) mod schema;
+pub(super) mod split;
 pub(super) mod verify;
 pub(super) mod watch;
