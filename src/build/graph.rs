@@ -31,9 +31,11 @@
 //! | `spliced` | patch | | `chapter`, `splices` |
 //! | `workshop` | patch | hardware, fabrication, materials | `chapter` |
 //! | `nest` | structure | stock, bed, margins, kerf, grain | chapters |
-//! | `bill` | structure | hardware, materials, prices | chapters, `nest` |
-//! | `plan` | structure | name | skeleton, chapters, `nest`, `bill` |
-//! | `*-files` | patch or structure | what the drawings show | chapters, `nest`, `bill` |
+//! | `stickers` | structure | `hardware.sticker` | chapters |
+//! | `supports` | structure | `supports`, bolt | skeleton, chapters |
+//! | `bill` | structure | hardware, materials, prices | chapters, `nest`, `stickers`, `supports` |
+//! | `plan` | structure | name | skeleton, chapters, `nest`, `stickers`, `supports`, `bill` |
+//! | `*-files` | patch or structure | what the drawings show | chapters and what is drawn |
 //!
 //! `splices` and `spliced` are there where the project asks for joints; what needs chapters then
 //! has the spliced ones.
@@ -51,7 +53,8 @@ use super::stages::cladding::{
 use super::stages::fabrication::{
     ABOVE_FILES, BILL, BillInput, CLADDING_FILES, COUPON_FILES, CouponInput, DrawingInput,
     LAYOUT_FILES, NEST, NETWORK_FILES, NestInput, NetworkDrawingInput, PART_FILES, PLAN_FILE,
-    SHEET_FILES, SPLICED, SPLICES, TABLE_FILES, WORKSHOP,
+    SHEET_FILES, SPLICED, SPLICES, STICKER_FILES, STICKERS, SUPPORT_FILES, SUPPORTS, SupportInput,
+    TABLE_FILES, WORKSHOP,
 };
 use super::stages::layout::{
     ANCHOR, ANCHORS, Anchors, LINE, NETWORK, NetworkInput, PATCH, PatchInput, STATION,
@@ -284,10 +287,30 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
                 .map(|m| (m.name.clone(), m.grain))
                 .collect(),
         },
-        (chapters.clone(), workshops),
+        (chapters.clone(), workshops.clone()),
     );
     graph.origin(nest, "settings", "fabrication");
     told.push((String::new(), nest.warnings()));
+    let foils = graph.add(
+        &STICKERS,
+        "",
+        project.hardware.sticker.clone(),
+        (chapters.clone(), workshops.clone()),
+    );
+    graph.origin(foils, "", "hardware.sticker");
+    told.push((String::new(), foils.warnings()));
+    let supports = graph.add(
+        &SUPPORTS,
+        "",
+        SupportInput {
+            supports: project.supports.clone(),
+            bolt: project.hardware.bolt.clone(),
+        },
+        (skeleton, chapters.clone(), workshops),
+    );
+    graph.origin(supports, "supports", "supports");
+    graph.origin(supports, "bolt", "hardware.bolt");
+    told.push((String::new(), supports.warnings()));
     let bill = graph.add(
         &BILL,
         "",
@@ -296,7 +319,7 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
             materials: project.materials.clone(),
             stock: project.fabrication.stock.clone(),
         },
-        (chapters.clone(), nest),
+        (chapters.clone(), nest, foils, supports),
     );
     graph.origin(bill, "hardware", "hardware");
     graph.origin(bill, "stock", "fabrication.stock");
@@ -314,6 +337,8 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
             skeleton,
             chapters.iter().copied().chain(strips).collect(),
             nest,
+            foils,
+            supports,
             bill,
             warnings,
         ),
@@ -370,7 +395,14 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
     let sheets = graph.add(&SHEET_FILES, "", drawing(), (chapters.clone(), nest));
     drawing_origins(graph, sheets);
     graph.publish(sheets);
-    let tables = graph.add(&TABLE_FILES, "", drawing(), (chapters, nest, bill));
+    let stickers = graph.add(&STICKER_FILES, "", drawing(), foils);
+    drawing_origins(graph, stickers);
+    graph.publish(stickers);
+    let needs = (skeleton, chapters, supports);
+    let feet = graph.add(&SUPPORT_FILES, "", drawing(), needs);
+    drawing_origins(graph, feet);
+    graph.publish(feet);
+    let tables = graph.add(&TABLE_FILES, "", drawing(), plan);
     drawing_origins(graph, tables);
     graph.publish(tables);
 }

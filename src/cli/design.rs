@@ -14,10 +14,12 @@ const UNREADABLE_MESH: Code = Code::new("E0901");
 const OUTSIDE: Code = Code::new("E0902");
 
 /// What the pipeline does beyond cutting lamellae from patches as they stand.
-const BUILT: [Capability; 8] = [
+const BUILT: [Capability; 10] = [
     Capability::SeveralPatches,
     Capability::ClosedStrips,
     Capability::Splitting,
+    Capability::Supports,
+    Capability::Stickers,
     Capability::Shells,
     Capability::BedWindows,
     Capability::KerfCompensation,

@@ -11,9 +11,10 @@ use super::network::NamedQuad;
 use super::part::{Part, PartStyle};
 use super::sheet::{Goodness, Parts, SheetStyle, trim};
 use super::units::MM;
+use super::workbook::{self, Tab};
 use super::{
-    cladding_plot, coupon, dxf, from_above, hardware, layout, network, part, pdf, pieces, sheet,
-    svg, tables,
+    assembly, cladding_plot, coupon, dxf, from_above, hardware, layout, network, part, pdf, pieces,
+    sheet, stickers, supports, svg, tables,
 };
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Severity, Warned};
@@ -75,7 +76,10 @@ pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     take(overview_files(plan, &by_id, inputs));
     take(part_files(plan, inputs));
     take(coupon_files(&coupon::sections(&plan.lamellae), inputs));
+    take(sticker_files(plan, inputs));
+    take(support_files(plan, inputs));
     files.extend(table_files(plan, inputs));
+    files.push(assembly_file(plan, inputs));
     if errors.is_empty() {
         warnings.extend(told);
         Ok(Warned {
@@ -320,17 +324,116 @@ pub fn cladding_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
     files.finish()
 }
 
-/// The tables.
-pub fn table_files(plan: &Plan, inputs: Inputs<'_>) -> Vec<OutputFile> {
-    let file = |path: &str, bytes| OutputFile {
-        path: path.to_owned(),
-        bytes,
+/// The sheets of foil.
+pub fn sticker_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
+    let by_id = plan.stickers.iter().map(|s| (s.id.as_str(), s)).collect();
+    let style = stickers::FoilStyle {
+        project: &plan.name,
+        count: plan.foils.len(),
+        colours: inputs.fabrication.colours,
     };
-    vec![
-        file("bom.csv", tables::bom(&plan.bill_of_materials)),
-        file("cutlist.csv", tables::cut_list(plan, inputs.materials)),
-        file("crossings.csv", tables::crossings(plan, inputs.hardware)),
-    ]
+    let mut files = Files::default();
+    for sheet in &plan.foils {
+        let name = format!(
+            "stickers/{}_{}-{}mm_{}-of-{:02}",
+            file_name(&plan.name),
+            file_name(&sheet.material),
+            trim(sheet.thickness * MM),
+            sheet.id,
+            plan.foils.len()
+        );
+        files.both(&name, &stickers::draw(sheet, &by_id, &style));
+    }
+    files.finish()
+}
+
+/// The ground plan, and every support as it is made: printed, or cast and cut.
+pub fn support_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
+    let names = distinct_file_names(plan.supports.iter().map(|support| support.id.as_str()));
+    let grid: f64 = plan.lamellae.iter().map(|lamella| lamella.mass).sum();
+    let style = supports::drawing::BlockStyle {
+        project: &plan.name,
+        share: grid / plan.supports.len().max(1) as f64,
+        sheet: supports::thinnest_sheet(plan).unwrap_or(supports::WEDGE_EDGE),
+        colours: inputs.fabrication.colours,
+    };
+    let mut files = Files::default();
+    if let Some(drawing) = supports::setting_out::draw(plan) {
+        files.both("supports/setting-out", &drawing);
+    }
+    let mut solids = Vec::new();
+    for (support, name) in plan.supports.iter().zip(names) {
+        let name = format!("supports/{name}");
+        if let Some(drawing) = supports::drawing::block(support, &style) {
+            files.both(&format!("{name}.block"), &drawing);
+        }
+        if let Some(drawing) = supports::drawing::template(support, &style) {
+            files.both(&format!("{name}.template"), &drawing);
+        }
+        if let Some(solid) = supports::solid::of(support) {
+            files.files.push(OutputFile {
+                path: format!("{name}.stl"),
+                bytes: supports::solid::stl(&support.id, &solid),
+            });
+            solids.push((support.id.as_str(), solid));
+        }
+    }
+    if !solids.is_empty() {
+        files.files.push(OutputFile {
+            path: "supports/supports.3mf".to_owned(),
+            bytes: supports::solid::three_mf(&solids),
+        });
+    }
+    files.finish()
+}
+
+/// The step list.
+pub fn assembly_file(plan: &Plan, inputs: Inputs<'_>) -> OutputFile {
+    OutputFile {
+        path: "assembly.md".to_owned(),
+        bytes: assembly::steps(plan, inputs.hardware),
+    }
+}
+
+/// The tables, each as CSV, and all of them as a workbook.
+pub fn table_files(plan: &Plan, inputs: Inputs<'_>) -> Vec<OutputFile> {
+    let mut made = vec![
+        ("Summary", "summary", tables::summary(plan)),
+        ("Shopping", "bom", tables::bom(&plan.bill_of_materials)),
+        (
+            "Cut list",
+            "cutlist",
+            tables::cut_list(plan, inputs.materials),
+        ),
+        (
+            "Crossings",
+            "crossings",
+            tables::crossings(plan, inputs.hardware),
+        ),
+    ];
+    if !plan.stickers.is_empty() {
+        made.push(("Stickers", "stickers", stickers::table(plan)));
+    }
+    if !plan.supports.is_empty() {
+        made.push(("Supports", "supports", supports::table(plan)));
+    }
+    let tabs: Vec<Tab<'_>> = made
+        .iter()
+        .map(|(name, _, csv)| Tab { name, csv })
+        .collect();
+    let workbook = workbook::write(&plan.name, &tabs);
+    let mut files: Vec<OutputFile> = made
+        .into_iter()
+        .map(|(_, name, bytes)| OutputFile {
+            path: format!("{name}.csv"),
+            bytes,
+        })
+        .collect();
+    files.push(OutputFile {
+        path: "bill.xlsx".to_owned(),
+        bytes: workbook,
+    });
+    files
 }
 
 fn grain(material: &str, materials: &[Material]) -> Grain {

@@ -281,7 +281,7 @@ fn placed<'a>(
 }
 
 /// Frame, reference bar and title in the lower margin.
-fn guide(drawing: &mut Drawing, title: &str) {
+pub(super) fn guide(drawing: &mut Drawing, title: &str) {
     let [length, width] = drawing.size;
     drawing.draw(Layer::Guide, "", Path::rectangle([0.0; 2], [length, width]));
     let strip = TITLE_STRIP * MM;

@@ -1,15 +1,25 @@
 //! Tables for spreadsheets: UTF-8, comma, line feed, decimal points, units in the headers, rows
 //! in the plan's order.
 
-use super::hardware::{Fastener, Series};
+use super::hardware::Fastener;
 use super::index::PlanIndex;
 use super::nodes::nodes;
 use super::part::short_id;
 use super::pieces::{self, End};
+use super::summary::Summary;
 use super::units::MM;
 use crate::plan::{BomRow, CrossingRecord, LamellaRecord, OpeningRecord, Plan};
 use crate::project::model::{Family, Grain, Hardware, Material};
 use std::collections::BTreeMap;
+
+/// The structure in a few numbers.
+pub fn summary(plan: &Plan) -> Vec<u8> {
+    let mut table = Table::new(&["what", "value", "unit"]);
+    for (name, value, unit) in Summary::new(plan).lines() {
+        table.row([name, &value, unit]);
+    }
+    table.finish()
+}
 
 /// The shopping list.
 pub fn bom(rows: &[BomRow]) -> Vec<u8> {
@@ -268,8 +278,8 @@ pub fn crossings(plan: &Plan, hardware: &Hardware) -> Vec<u8> {
                     format!("with {}", short_id(bolt.holder, ""))
                 }
             }),
-            (2 * own).to_string(),
-            own.to_string(),
+            bolt.map_or(0, |bolt| own * bolt.washers).to_string(),
+            bolt.map_or(0, |bolt| own * bolt.nuts).to_string(),
             (2 * stickers).to_string(),
         ]);
     }
@@ -281,6 +291,8 @@ struct Bolt<'a> {
     name: String,
     /// Crossing under which it is listed.
     holder: &'a str,
+    washers: usize,
+    nuts: usize,
 }
 
 fn bolts<'a>(
@@ -288,12 +300,10 @@ fn bolts<'a>(
     index: &PlanIndex<'_>,
     hardware: &Hardware,
 ) -> BTreeMap<&'a str, Bolt<'a>> {
-    let foil = hardware.sticker.as_ref().map_or(0.0, |s| s.thickness);
     let mut bolts = BTreeMap::new();
     for node in nodes(&plan.crossings, index, 0.25 * hardware.bolt.diameter) {
-        let stack = node.lamellae_thickness + 2.0 * foil * node.sliding as f64;
-        let fastener = Series::of(hardware.bolt.diameter).and_then(|s| s.fastener(stack).ok());
-        let (Some(fastener), Some(first)) = (fastener, node.crossings.first()) else {
+        let fixing = node.fixing(&plan.supports, hardware);
+        let (Some(fastener), Some(first)) = (fixing.fastener, node.crossings.first()) else {
             continue;
         };
         let (Fastener::Bolt(length) | Fastener::Rod(length)) = fastener;
@@ -303,6 +313,8 @@ fn bolts<'a>(
                 Bolt {
                     name: format!("{}x{}", hardware.bolt.name, super::sheet::trim(length * MM)),
                     holder: first.id.as_str(),
+                    washers: fixing.washers,
+                    nuts: fixing.nuts,
                 },
             );
         }
@@ -359,7 +371,7 @@ fn places(plan: &Plan) -> BTreeMap<&str, PlaceOnSheet<'_>> {
 }
 
 /// A number with a fixed count of decimals; a negative zero loses its sign.
-fn fixed(value: f64, digits: usize) -> String {
+pub(super) fn fixed(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");
     match text.strip_prefix('-') {
         Some(rest) if rest.bytes().all(|b| b == b'0' || b == b'.') => rest.to_owned(),
@@ -367,27 +379,27 @@ fn fixed(value: f64, digits: usize) -> String {
     }
 }
 
-fn optional(value: Option<f64>, digits: usize) -> String {
+pub(super) fn optional(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(String::new, |value| fixed(value, digits))
 }
 
 /// A table in the making.
-struct Table(csv::Writer<Vec<u8>>);
+pub(super) struct Table(csv::Writer<Vec<u8>>);
 
 impl Table {
-    fn new(header: &[&str]) -> Self {
+    pub(super) fn new(header: &[&str]) -> Self {
         let mut table = Self(csv::Writer::from_writer(Vec::new()));
         table.row(header);
         table
     }
 
-    fn row<T: AsRef<[u8]>>(&mut self, fields: impl IntoIterator<Item = T>) {
+    pub(super) fn row<T: AsRef<[u8]>>(&mut self, fields: impl IntoIterator<Item = T>) {
         self.0
             .write_record(fields)
             .expect("memory takes every byte and all rows have the header's length");
     }
 
-    fn finish(self) -> Vec<u8> {
+    pub(super) fn finish(self) -> Vec<u8> {
         self.0.into_inner().expect("memory takes every byte")
     }
 }

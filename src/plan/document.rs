@@ -39,6 +39,8 @@ pub struct Plan {
     pub nesting: Vec<NestingRecord>,
     /// Foils between lamellae, in the order of assembly.
     pub stickers: Vec<StickerRecord>,
+    /// Sheets of foil with their stickers; the places are those of the stickers' cards.
+    pub foils: Vec<SheetRecord>,
     /// What the structure stands on.
     pub supports: Vec<SupportRecord>,
     /// What to buy.
@@ -539,15 +541,10 @@ pub struct StickerRecord {
     pub lamella: String,
     /// The face that it covers.
     pub face: Face,
-    /// Where it begins.
+    /// Its four corners, counter-clockwise as seen on the top face of the lamella: along it, and
+    /// across it from its middle line, metres. The first two lie on its right edge.
     #[serde(serialize_with = "round::metres")]
-    pub from: f64,
-    /// Where it ends.
-    #[serde(serialize_with = "round::metres")]
-    pub to: f64,
-    /// Across the lamella, metres.
-    #[serde(serialize_with = "round::metres")]
-    pub width: f64,
+    pub outline: [[f64; 2]; 4],
     /// First and last centre of the bolt in its slot.
     #[serde(serialize_with = "round::metres")]
     pub slot: [f64; 2],
@@ -574,9 +571,11 @@ pub struct SupportRecord {
     pub id: String,
     /// The anchor or crossing that it carries.
     pub at: String,
+    /// Ids of the crossings whose bolt holds it.
+    pub crossings: Vec<String>,
     /// What it is.
     pub kind: SupportKind,
-    /// Middle of its contact face, metres.
+    /// Middle of its contact face, metres: half the stack of lamellae below the surface.
     #[serde(serialize_with = "round::metres")]
     pub position: [f64; 3],
     /// Unit normal of the contact face, upwards.
@@ -585,24 +584,49 @@ pub struct SupportRecord {
     /// Angle of the contact face to the horizontal, degrees.
     #[serde(serialize_with = "round::degrees")]
     pub tilt: f64,
-    /// Direction in which the contact face falls, degrees counter-clockwise from x.
+    /// Direction in which the contact face falls, degrees counter-clockwise from x; 0 if it is
+    /// level.
     #[serde(serialize_with = "round::degrees")]
     pub azimuth: f64,
     /// Middle of the contact face above the ground, metres.
     #[serde(serialize_with = "round::metres")]
     pub height: f64,
-    /// Diameter of the contact face, metres.
+    /// Length of its bolt under the head, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub bolt_length: f64,
+    /// Shape of its body; none where the contact face is too steep for a foot below it.
+    pub body: Option<SupportBody>,
+}
+
+/// The body of a support. Metres, cubic metres, kilograms, newtons.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SupportBody {
+    /// Diameter of the contact face of a printed foot; side of a wedge or block, in plan.
     #[serde(serialize_with = "round::metres")]
     pub pad: f64,
-    /// Diameter or side of the foot, metres.
+    /// Diameter of a printed foot, side of a square block.
     #[serde(serialize_with = "round::metres")]
     pub foot: f64,
-    /// Cubic metres, the wedge apart.
-    #[serde(serialize_with = "round::quantity")]
+    /// Diameter of the hole for the bolt, square to the contact face.
+    #[serde(serialize_with = "round::metres")]
+    pub bore: f64,
+    /// Depth of that hole.
+    #[serde(serialize_with = "round::metres")]
+    pub depth: f64,
+    /// Height of the block at its middle; without a wedge, that of the support.
+    #[serde(serialize_with = "round::metres")]
+    pub block: f64,
+    /// Volume, the wedge apart.
+    #[serde(serialize_with = "round::cubic_metres")]
     pub volume: f64,
-    /// Kilograms, where the material is known.
+    /// Mass, the wedge apart; a printed foot is taken as solid.
     #[serde(serialize_with = "round::kilograms")]
     pub mass: f64,
+    /// Horizontal thrust at the contact face that tips it over the nearest edge of its foot
+    /// if nothing but its own weight holds it.
+    #[serde(serialize_with = "round::quantity")]
+    pub tipping_thrust: f64,
 }
 
 /// One line of the shopping list.
@@ -664,6 +688,7 @@ impl Default for Plan {
             crossings: Vec::new(),
             lamellae: Vec::new(),
             stickers: Vec::new(),
+            foils: Vec::new(),
             supports: Vec::new(),
             sheets: Vec::new(),
             nesting: Vec::new(),

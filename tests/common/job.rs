@@ -2,9 +2,12 @@
 
 use super::synthetic;
 use egg::fabrication::splicing::{self, Rules};
-use egg::fabrication::{self, Inputs, OutputFile, bom, nesting};
+use egg::fabrication::supports::{self, SupportInputs};
+use egg::fabrication::{self, Inputs, OutputFile, bom, nesting, stickers};
 use egg::plan::Plan;
-use egg::project::model::{Bed, Fabrication, Hardware, Material, SpliceKind};
+use egg::project::model::{
+    Bed, Fabrication, Hardware, Material, SpliceKind, SupportKind, SupportPlaces, Supports,
+};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -14,6 +17,7 @@ pub(crate) struct Job {
     pub(crate) hardware: Hardware,
     pub(crate) fabrication: Fabrication,
     pub(crate) materials: Vec<Material>,
+    pub(crate) supports: Supports,
 }
 
 impl Job {
@@ -23,12 +27,17 @@ impl Job {
             hardware,
             fabrication,
             materials: synthetic::materials(),
+            supports: Supports {
+                at: SupportPlaces::Corners,
+                kind: SupportKind::Printed,
+                height: 0.0,
+            },
         };
         job.prepare();
         job
     }
 
-    /// Splices, sheets and bill.
+    /// Splices, sheets, stickers, supports and bill.
     pub(crate) fn prepare(&mut self) {
         let settings = nesting::Settings::new(&self.fabrication);
         if let Some(kind) = self.fabrication.splice {
@@ -57,6 +66,17 @@ impl Job {
             .value;
         self.plan.nesting = nest.records();
         self.plan.sheets.clone_from(&nest.sheets);
+        if let Some(sticker) = &self.hardware.sticker {
+            self.plan.stickers = stickers::records(&self.plan, sticker).value;
+            let foils = stickers::nest(&self.plan.stickers, sticker);
+            self.plan.foils = foils.expect("the stickers fit").value;
+        }
+        let inputs = SupportInputs {
+            supports: &self.supports,
+            bolt: &self.hardware.bolt,
+        };
+        let made = supports::records(&self.plan, inputs);
+        self.plan.supports = made.expect("supports stand").value;
         let shopping = bom::Shopping {
             hardware: &self.hardware,
             materials: &self.materials,

@@ -8,10 +8,13 @@ use crate::fabrication::coupon::CouponSection;
 use crate::fabrication::nesting::{Nest, Settings, nest};
 use crate::fabrication::pieces::blanks;
 use crate::fabrication::splicing::{Rules, Spliced, splice};
-use crate::fabrication::{self as outputs, Inputs, NamedQuad, OutputFile};
-use crate::plan::{BomRow, Plan, bind, to_ron};
-use crate::project::model::{Fabrication, Grain, Hardware, Material, Stock};
-use serde::Serialize;
+use crate::fabrication::supports::{self, SupportInputs};
+use crate::fabrication::{self as outputs, Inputs, NamedQuad, OutputFile, stickers};
+use crate::plan::{BomRow, Plan, SheetRecord, StickerRecord, SupportRecord, bind, to_ron};
+use crate::project::model::{
+    Bolt, Fabrication, Grain, Hardware, Material, Sticker, Stock, Supports,
+};
+use serde::{Deserialize, Serialize};
 
 /// Pieces of lamellae that are longer than the stock.
 pub(in crate::build) const SPLICES: Stage<Rules, Vec<Node<Plan>>, Vec<Spliced>> = Stage {
@@ -61,6 +64,68 @@ pub(in crate::build) const NEST: Stage<NestInput, (Vec<Node<Plan>>, Vec<Node<()>
     },
 };
 
+/// Stickers and the sheets of foil that they are cut from.
+#[derive(Debug, Default, Serialize, Deserialize)]
+pub(in crate::build) struct Foils {
+    pub(in crate::build) stickers: Vec<StickerRecord>,
+    pub(in crate::build) sheets: Vec<SheetRecord>,
+}
+
+/// Stickers of all crossings that slide, on sheets of foil.
+pub(in crate::build) const STICKERS: Stage<
+    Option<Sticker>,
+    (Vec<Node<Plan>>, Vec<Node<()>>),
+    Foils,
+> = Stage {
+    name: "stickers",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |sticker, (chapters, _), _| {
+        let Some(sticker) = sticker else {
+            return plain(Foils::default());
+        };
+        let plan = bind("", chapters.into_iter());
+        let Warned {
+            value: stickers,
+            warnings,
+        } = stickers::records(&plan, sticker);
+        let sheets = stickers::nest(&stickers, sticker).map_err(Failure::Errors)?;
+        judged(
+            Foils {
+                stickers,
+                sheets: sheets.value,
+            },
+            warnings,
+        )
+    },
+};
+
+/// What supports depend on besides the plan.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct SupportInput {
+    pub(in crate::build) supports: Supports,
+    pub(in crate::build) bolt: Bolt,
+}
+
+/// Supports.
+pub(in crate::build) const SUPPORTS: Stage<
+    SupportInput,
+    (Node<Plan>, Vec<Node<Plan>>, Vec<Node<()>>),
+    Vec<SupportRecord>,
+> = Stage {
+    name: "supports",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, (skeleton, chapters, _), _| {
+        let plan = bind("", std::iter::once(skeleton).chain(chapters));
+        let inputs = SupportInputs {
+            supports: &input.supports,
+            bolt: &input.bolt,
+        };
+        outcome(supports::records(&plan, inputs))
+    },
+};
+
 /// What the bill depends on besides the plan.
 #[derive(Debug, Serialize)]
 pub(in crate::build) struct BillInput {
@@ -69,23 +134,37 @@ pub(in crate::build) struct BillInput {
     pub(in crate::build) stock: Stock,
 }
 
+type BillNeeds = (
+    Vec<Node<Plan>>,
+    Node<Nest>,
+    Node<Foils>,
+    Node<Vec<SupportRecord>>,
+);
+
 /// The bill of materials.
-pub(in crate::build) const BILL: Stage<BillInput, (Vec<Node<Plan>>, Node<Nest>), Vec<BomRow>> =
-    Stage {
-        name: "bill",
-        version: 1,
-        numerics: Numerics::Portable,
-        run: |input, (chapters, nest), _| {
-            let plan = bind("", chapters.into_iter());
-            let shopping = Shopping {
-                hardware: &input.hardware,
-                materials: &input.materials,
-                stock: &input.stock,
-                groups: &nest.groups,
-            };
-            outcome(bom::rows(&plan, &shopping))
-        },
-    };
+pub(in crate::build) const BILL: Stage<BillInput, BillNeeds, Vec<BomRow>> = Stage {
+    name: "bill",
+    version: 2,
+    numerics: Numerics::Portable,
+    run: |input, (chapters, nest, foils, supports), _| {
+        let mut plan = bind("", chapters.into_iter());
+        equip(&mut plan, foils, supports);
+        let shopping = Shopping {
+            hardware: &input.hardware,
+            materials: &input.materials,
+            stock: &input.stock,
+            groups: &nest.groups,
+        };
+        outcome(bom::rows(&plan, &shopping))
+    },
+};
+
+/// Puts stickers and supports into a plan.
+pub(in crate::build) fn equip(plan: &mut Plan, foils: &Foils, supports: &[SupportRecord]) {
+    plan.stickers.clone_from(&foils.stickers);
+    plan.foils.clone_from(&foils.sheets);
+    plan.supports = supports.to_vec();
+}
 
 /// `plan.ron`.
 pub(in crate::build) const PLAN_FILE: Stage<(), Node<Plan>, Files> = Stage {
@@ -117,7 +196,7 @@ impl DrawingInput {
 /// What a workshop would object to in the lamellae of a patch.
 pub(in crate::build) const WORKSHOP: Stage<DrawingInput, Node<Plan>, ()> = Stage {
     name: "workshop",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, chapter, _| outcome(outputs::check(chapter, input.inputs())),
 };
@@ -237,22 +316,42 @@ pub(in crate::build) const COUPON_FILES: Stage<CouponInput, (), Files> = Stage {
     },
 };
 
-/// The tables.
-pub(in crate::build) const TABLE_FILES: Stage<
-    DrawingInput,
-    (Vec<Node<Plan>>, Node<Nest>, Node<Vec<BomRow>>),
-    Files,
-> = Stage {
+/// Cut files of the sheets of foil.
+pub(in crate::build) const STICKER_FILES: Stage<DrawingInput, Node<Foils>, Files> = Stage {
+    name: "sticker-files",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, foils, _| {
+        let mut plan = bind(&input.name, std::iter::empty());
+        equip(&mut plan, foils, &[]);
+        files(outputs::sticker_files(&plan, input.inputs()))
+    },
+};
+
+type SupportFilesNeeds = (Node<Plan>, Vec<Node<Plan>>, Node<Vec<SupportRecord>>);
+
+/// Solids, drawings and the ground plan of the supports.
+pub(in crate::build) const SUPPORT_FILES: Stage<DrawingInput, SupportFilesNeeds, Files> = Stage {
+    name: "support-files",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, (skeleton, chapters, supports), _| {
+        let mut plan = bind(&input.name, std::iter::once(skeleton).chain(chapters));
+        equip(&mut plan, &Foils::default(), supports);
+        files(outputs::support_files(&plan, input.inputs()))
+    },
+};
+
+/// The tables and the step list.
+pub(in crate::build) const TABLE_FILES: Stage<DrawingInput, Node<Plan>, Files> = Stage {
     name: "table-files",
     version: 2,
     numerics: Numerics::Portable,
-    run: |input, (chapters, nest, bill), _| {
-        let mut plan = bind(&input.name, chapters.into_iter());
-        plan.sheets.clone_from(&nest.sheets);
-        plan.bill_of_materials.clone_from(bill);
-        let tables = outputs::table_files(&plan, input.inputs());
+    run: |input, plan, _| {
+        let mut made = outputs::table_files(plan, input.inputs());
+        made.push(outputs::assembly_file(plan, input.inputs()));
         files(Ok(Warned {
-            value: tables,
+            value: made,
             warnings: Vec::new(),
         }))
     },

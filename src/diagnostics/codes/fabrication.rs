@@ -42,6 +42,12 @@ pub const PART_DIFFERS: Code = Code::new("E0734");
 pub const DRAWINGS_DIFFER: Code = Code::new("E0735");
 /// A table says other things than the plan.
 pub const TABLE_DIFFERS: Code = Code::new("E0736");
+/// A sticker is larger than the sheet of foil.
+pub const STICKER_TOO_LARGE: Code = Code::new("E0760");
+/// No lamellae cross where a support is listed.
+pub const SUPPORT_CARRIES_NOTHING: Code = Code::new("E0761");
+/// A support is lower than its contact face needs.
+pub const SUPPORT_TOO_LOW: Code = Code::new("E0762");
 /// A label found no place.
 pub const LABEL_OMITTED: Code = Code::new("W0720");
 /// A label has characters without strokes.
@@ -68,6 +74,23 @@ pub const SPLICE_NEAR_CROSSING: Code = Code::new("W0730");
 pub const NO_REGISTRATION: Code = Code::new("W0731");
 /// A joint is bent further than it bears.
 pub const SPLICE_OVERSTRESSED: Code = Code::new("W0732");
+
+/// A sticker has no room for its slot.
+pub const STICKER_CROWDED: Code = Code::new("W0760");
+/// The foil is thick for its lamellae.
+pub const FOIL_THICK: Code = Code::new("W0761");
+/// The shell is loose on the bolt.
+pub const SHELL_LOOSE: Code = Code::new("W0762");
+/// Two listed supports stand at one place.
+pub const SUPPORT_TWICE: Code = Code::new("W0763");
+/// A contact face is too steep for a foot.
+pub const SUPPORT_STEEP: Code = Code::new("W0764");
+/// A printed support is larger than printers print.
+pub const SUPPORT_LARGE: Code = Code::new("W0765");
+/// A support is heavier than one person carries.
+pub const SUPPORT_HEAVY: Code = Code::new("W0766");
+/// The grid dips below the ground of its supports.
+pub const GRID_BELOW_GROUND: Code = Code::new("W0767");
 
 pub(super) const CODES: &[CodeInfo] = &[
     CodeInfo {
@@ -331,5 +354,98 @@ layer, or widen `margin` in `[fabrication]`.",
 the section carries it: half at the roots of fingers, what the holes leave of a plate, all of a scarf. \
 Here that is more than the bending strength of the material, although the joint stands where the \
 lamella bends least. Choose thinner lamellae, scarfs, or stock long enough to do without.",
+    },
+    CodeInfo {
+        code: "E0760",
+        name: "sticker-too-large",
+        title: "a sticker is larger than the sheet of foil",
+        text: "A sticker covers the whole area in which two lamellae touch while the grid \
+unfolds: the wider the lamellae, the flatter the angle and the longer the slide, the larger. It is \
+cut in one piece, on a card with its number.\n\nGive the size of the foil that you buy, \
+`sticker = { thickness = 0.13, sheet = { length = 500, width = 300 } }` in `[hardware]`, or make \
+its `margin` smaller.",
+    },
+    CodeInfo {
+        code: "E0761",
+        name: "support-carries-nothing",
+        title: "no lamellae cross where a support is listed",
+        text: "A support is bolted to the lamellae that cross at its point. Points that are no \
+corner of a patch have none, unless a crossing happens to lie there. Name a corner, or a crossing \
+by its id: `west.u01-v04`. The layout drawing and crossings.csv have all ids.",
+    },
+    CodeInfo {
+        code: "E0762",
+        name: "support-too-low",
+        title: "a support is lower than its contact face needs",
+        text: "The contact face of a support is inclined as the surface is. Its lower edge must \
+stay above the ground, and the hole for the bolt inside the body, so the steeper the face, the \
+higher the support. `height` in `[supports]` is the height of the lowest contact face above the \
+ground; leave it out, and the supports are as low as they can be.",
+    },
+    CodeInfo {
+        code: "W0760",
+        name: "sticker-crowded",
+        title: "a sticker has no room for its slot",
+        text: "Where crossings are close together, stickers are cut back half way between them. \
+What is left here is too narrow for the slot, and no sticker is made: wood slides on wood, with \
+three times the friction. Wider lamellae, fewer members, a planar angle farther from 0 and 180 \
+degrees, or a thinner bolt and shell make room.",
+    },
+    CodeInfo {
+        code: "W0761",
+        name: "foil-thick",
+        title: "the foil is thick for its lamellae",
+        text: "Two foils lie between the lamellae of every crossing that slides, and none at the \
+boundary. If together they are thicker than three tenths of a lamella, the inner members stand off \
+the surface visibly and bolts get longer. Foils for this purpose are 0.1 to 0.25 mm thick; perhaps \
+the thickness is in the wrong unit.",
+    },
+    CodeInfo {
+        code: "W0762",
+        name: "shell-loose",
+        title: "the shell is loose on the bolt",
+        text: "The bolt clamps the shell between its washers. If the bore is wider than the bolt \
+by more than half a millimetre, the shell stands askew and its edge bites into the notch. Take a \
+tube with a bore 0.1 to 0.2 mm wider than the bolt: 4 x 0.45 for M3, 5 x 0.45 for M4.",
+    },
+    CodeInfo {
+        code: "W0763",
+        name: "support-twice",
+        title: "two listed supports stand at one place",
+        text: "A corner and the crossing of the two boundary members there are the same point, \
+and crossings of neighbouring patches are where the patches meet. One support is made for all.",
+    },
+    CodeInfo {
+        code: "W0764",
+        name: "support-steep",
+        title: "a contact face is too steep for a foot",
+        text: "The tangent plane of the surface stands steeper than 70 degrees there. A foot \
+below such a face would have to be cut nearly to a blade; the structure wants to be held from the \
+side. No body is made: bolt it to a wall, a post or a frame. The plan and supports.csv have its \
+place and its normal.",
+    },
+    CodeInfo {
+        code: "W0765",
+        name: "support-large",
+        title: "a printed support is larger than printers print",
+        text: "Common printers print 220 to 250 mm in each direction. A foot grows with its \
+height, so that it does not tip. Choose blocks (`kind = \"wedge-on-block\"`), support the \
+structure where it is lower, or build a post and print only its head.",
+    },
+    CodeInfo {
+        code: "W0766",
+        name: "support-heavy",
+        title: "a support is heavier than one person carries",
+        text: "The paper's supports are stable under their own weight and light enough to be \
+carried. A block grows with the square of its height, because a tall one must be broad. Cast it on \
+the spot, stack it from pieces, or support the structure where it is lower.",
+    },
+    CodeInfo {
+        code: "W0767",
+        name: "grid-below-ground",
+        title: "the grid dips below the ground of its supports",
+        text: "The ground is taken as level, `height` below the lowest contact face (or as close \
+as the supports can be). Between the supports the surface hangs lower than that. Raise the \
+supports with `height` in `[supports]`, or support the structure at its lowest points.",
     },
 ];

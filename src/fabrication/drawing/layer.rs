@@ -7,7 +7,7 @@
 use crate::project::model::ColourPreset;
 
 /// Every layer of every drawing, in the order in which an SVG paints them. A drawing uses the
-/// layers of one of the three kinds only.
+/// layers of one of the kinds only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Layer {
     // Cut files.
@@ -21,6 +21,13 @@ pub enum Layer {
     CutInner,
     /// Outlines; cut last.
     CutOuter,
+    // Foil sheets.
+    /// Numbers for a pen, or for the eye where the plotter has none.
+    Pen,
+    /// Cuts through the foil that leave its backing whole.
+    KissCut,
+    /// Cuts through foil and backing.
+    ThroughCut,
     // Drawings of lamellae for people.
     /// The panel.
     Sheet,
@@ -67,6 +74,9 @@ impl Layer {
             Self::Score => "SCORE",
             Self::CutInner => "CUT_INNER",
             Self::CutOuter => "CUT_OUTER",
+            Self::Pen => "PEN",
+            Self::KissCut => "KISS_CUT",
+            Self::ThroughCut => "THROUGH_CUT",
             Self::Sheet => "SHEET",
             Self::LamellaV => "LAMELLA_V",
             Self::OpeningV => "OPENING_V",
@@ -92,12 +102,15 @@ impl Layer {
     }
 
     /// All layers in painting order.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 24] = [
         Self::Guide,
         Self::Engrave,
         Self::Score,
         Self::CutInner,
         Self::CutOuter,
+        Self::Pen,
+        Self::KissCut,
+        Self::ThroughCut,
         Self::Sheet,
         Self::LamellaV,
         Self::LamellaU,
@@ -190,9 +203,9 @@ fn cut_style(preset: ColourPreset, layer: Layer) -> Style {
     };
     let colour = match layer {
         Layer::CutInner => inner,
-        Layer::CutOuter => outer,
-        Layer::Score => score,
-        Layer::Engrave => BLACK,
+        Layer::CutOuter | Layer::ThroughCut => outer,
+        Layer::Score | Layer::KissCut => score,
+        Layer::Engrave | Layer::Pen => BLACK,
         _ => MAGENTA,
     };
     style(colour, HAIRLINE, None)
@@ -222,9 +235,9 @@ fn plain_people_style(layer: Layer) -> Style {
         Layer::Gridline => style(([214, 214, 214], 9), 0.18, None),
         Layer::Axis | Layer::Guide => style(GREY, 0.3, None),
         Layer::Side => style(BLACK, 0.8, None),
-        Layer::Score => style(BLUE, 0.25, None),
-        Layer::Label | Layer::Title | Layer::Engrave => style(BLACK, 0.3, None),
-        Layer::CutInner | Layer::CutOuter => style(RED, 0.25, None),
+        Layer::Score | Layer::KissCut => style(BLUE, 0.25, None),
+        Layer::Label | Layer::Title | Layer::Engrave | Layer::Pen => style(BLACK, 0.3, None),
+        Layer::CutInner | Layer::CutOuter | Layer::ThroughCut => style(RED, 0.25, None),
         Layer::Halo => style((PAPER, 7), 1.0, None),
     }
 }
