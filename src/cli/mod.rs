@@ -6,13 +6,16 @@ mod commands;
 mod console;
 mod design;
 mod exit;
+mod git;
 mod interrupt;
 mod progress;
 mod run;
 
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
-use commands::{build, cache, check, explain, export, graph, init, materials, schema, watch};
+use commands::{
+    build, cache, check, diff, explain, export, graph, init, lock, materials, schema, watch,
+};
 use console::Console;
 use exit::Exit;
 use std::process::ExitCode;
@@ -53,7 +56,14 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
     }
     let ended = match command {
         Command::Init { name } => Ok(init::run(console, &name)),
-        Command::Check { file } => check::run(console, &global, file.path.as_deref()),
+        Command::Check { file, locked } => {
+            let held = if locked {
+                check::Held::Locked
+            } else {
+                check::Held::Free
+            };
+            check::run(console, &global, file.path.as_deref(), held)
+        }
         Command::Build {
             file,
             selection,
@@ -67,6 +77,9 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
         Command::Export { file, format } => {
             export::run(console, &global, file.path.as_deref(), format)
         }
+        Command::Diff(arguments) => diff::run(console, &global, &arguments),
+        Command::Lock { file } => lock::run(console, &global, file.path.as_deref()),
+        Command::Git { command } => commands::git::run(console, &command),
         Command::Schema { of } => {
             schema::run(of);
             Ok(Exit::Done)

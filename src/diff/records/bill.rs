@@ -1,0 +1,43 @@
+//! The bill of materials. Panels are bought for sheets, which only have to be drawn again; other
+//! rows are hardware that the assembly needs.
+
+use crate::diff::class::Class::{Reassemble, Redraw};
+use crate::diff::part::{Field, Kind, Part};
+use crate::diff::quantity::Quantity;
+use crate::plan::Plan;
+
+pub(super) fn rows(plan: &Plan) -> Vec<Part> {
+    plan.bill_of_materials
+        .iter()
+        .map(|row| {
+            let need = if row.category == "stock" {
+                Redraw
+            } else {
+                Reassemble
+            };
+            let amount = if row.unit == "pcs" {
+                Quantity::Count
+            } else {
+                Quantity::Amount
+            };
+            let mut fields = vec![
+                Field::number("quantity", need, row.quantity, amount).headline(),
+                Field::text("unit", need, &*row.unit).headline(),
+                Field::number("spare", Redraw, row.spare, amount),
+                Field::text("description", need, &*row.description),
+                Field::text("material", need, &*row.material),
+                Field::text("specification", need, &*row.specification),
+            ];
+            if let Some(cost) = row.unit_cost {
+                fields.push(Field::number("unit cost", Redraw, cost, Quantity::Money));
+            }
+            Part {
+                kind: Kind::BillRow,
+                id: row.id.clone(),
+                fields,
+                items: Vec::new(),
+                presence: need,
+            }
+        })
+        .collect()
+}
