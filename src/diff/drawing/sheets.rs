@@ -92,8 +92,12 @@ fn sheet(
         let from = old.and_then(|placed| middle(placed, &sizes[0]));
         let to = new.and_then(|placed| middle(placed, &sizes[1]));
         if let (Some(from), Some(to), true) = (from, to, placed) {
+            let aside = new.and_then(|placed| sizes[1].get(&*placed.part));
+            let aside = aside.map_or(0.0, |[length, _]| 1e3 * length);
             let far = libm::hypot(to[0] - from[0], to[1] - from[1]);
             let far = number(Quantity::Length.shown(1e-3 * far), Quantity::Length);
+            // Beside the name, which stands in the middle.
+            let [from, to] = [from, to].map(|[x, y]| [x - 0.25 * aside, y]);
             canvas.arrow(part, from, to, format!("{far} mm"));
         }
         if let Some(at) = to.or(from).filter(|_| changed) {

@@ -1,5 +1,5 @@
-//! The bill of materials. Panels are bought for sheets, which only have to be drawn again; other
-//! rows are hardware that the assembly needs.
+//! The bill of materials. Bolts, shells, foils and supports are what the assembly needs; panels,
+//! the cut list and consumables follow from parts that are compared themselves. So do descriptions.
 
 use crate::diff::class::Class::{Reassemble, Redraw};
 use crate::diff::part::{Field, Kind, Part};
@@ -10,10 +10,9 @@ pub(super) fn rows(plan: &Plan) -> Vec<Part> {
     plan.bill_of_materials
         .iter()
         .map(|row| {
-            let need = if row.category == "stock" {
-                Redraw
-            } else {
-                Reassemble
+            let need = match row.category.as_str() {
+                "fastener" | "sleeve" | "friction" | "support" => Reassemble,
+                _ => Redraw,
             };
             let amount = if row.unit == "pcs" {
                 Quantity::Count
@@ -24,7 +23,6 @@ pub(super) fn rows(plan: &Plan) -> Vec<Part> {
                 Field::number("quantity", need, row.quantity, amount).headline(),
                 Field::text("unit", need, &*row.unit).headline(),
                 Field::number("spare", Redraw, row.spare, amount),
-                Field::text("description", need, &*row.description),
                 Field::text("material", need, &*row.material),
                 Field::text("specification", need, &*row.specification),
             ];

@@ -75,20 +75,18 @@ struct Page {
 
 impl Page {
     /// Adds a table, folded under its head if that is wanted; rows that do not fit are counted.
-    fn table(&mut self, head: &str, columns: &str, rows: &[String], fold: Fold) {
+    fn table(&mut self, head: &str, columns: &[&str], rows: &[String], fold: Fold) {
         if rows.is_empty() {
             return;
         }
         let rule: String = columns
-            .split(" | ")
-            .map(|name| {
-                if name.ends_with('\u{a0}') {
-                    " ---: |"
-                } else {
-                    " --- |"
-                }
+            .iter()
+            .map(|name| match *name {
+                "before" | "after" | "change" if columns[0].is_empty() => " ---: |",
+                _ => " --- |",
             })
             .collect();
+        let columns = columns.join(" | ");
         let (open, close) = match fold {
             Fold::Open => (format!("#### {head}\n\n"), "\n"),
             Fold::Folded => (
@@ -151,7 +149,7 @@ fn edits(page: &mut Page, difference: &Difference) {
         Fold::Folded
     };
     let head = format!("Edited ({})", rows.len());
-    page.table(&head, "what | before | after | where", &rows, fold);
+    page.table(&head, &["what", "before", "after", "where"], &rows, fold);
 }
 
 fn totals(page: &mut Page, difference: &Difference) {
@@ -164,7 +162,7 @@ fn totals(page: &mut Page, difference: &Difference) {
         .collect();
     page.table(
         "Totals",
-        "| before\u{a0} | after\u{a0} | change\u{a0}",
+        &["", "before", "after", "change"],
         &rows,
         Fold::Open,
     );
@@ -179,7 +177,7 @@ fn section(page: &mut Page, difference: &Difference, class: Class) {
         _ => 0,
     };
     let lines = |rows: &[Row]| -> Vec<String> { rows.iter().map(line).collect() };
-    let columns = "| part | what | sheet";
+    let columns = &["", "part", "what", "sheet"];
     let head = format!("{} ({count})", class.heading());
     page.table(&head, columns, &lines(&all[..open]), Fold::Open);
     let rest = &all[open..];

@@ -41,7 +41,14 @@ pub(super) fn group(drawing: &Drawing) -> (Group, [f64; 2]) {
     for label in labels {
         let [x, y] = place(label.at);
         let width = 0.6 * LETTERS * label.text.chars().count() as f64;
-        let x = (x - 0.5 * width).clamp(2.0, (size[0] - width).max(2.0));
+        // A name stands over its part, and beside a dot.
+        let is_dot = |shape: &Shape| matches!(&shape.outline, Outline::Slot(at, _, radius) if *radius == 0.0 && *at == label.at);
+        let (x, y) = if drawing.shapes.iter().any(is_dot) {
+            (x + 7.0, y - 7.0)
+        } else {
+            (x - 0.5 * width, y + 0.35 * LETTERS)
+        };
+        let x = x.clamp(2.0, (size[0] - width).max(2.0));
         let frame = [x, y - LETTERS, x + width, y + 0.4 * LETTERS];
         let free = |other: &[f64; 4]| {
             frame[2] < other[0] || other[2] < frame[0] || frame[3] < other[1] || other[3] < frame[1]

@@ -273,33 +273,57 @@ pub(super) fn verdict(difference: &Difference) -> String {
         };
     };
     match class {
-        Class::Recut => {
-            let mut said = Vec::new();
-            for what in ["lamellae", "stickers", "supports"] {
-                let counts = &difference.summary.counts;
-                let Some(count) = counts.iter().find(|count| count.what == what) else {
-                    continue;
-                };
-                let mut parts = Vec::new();
-                if count.recut > 0 {
-                    parts.push(format!("{} of {} anew", count.recut, count.before));
-                }
-                if count.added > 0 {
-                    parts.push(format!("{} new", count.added));
-                }
-                if count.removed > 0 {
-                    parts.push(format!("{} gone", count.removed));
-                }
-                if !parts.is_empty() {
-                    said.push(format!("{} {what}", parts.join(", ")));
-                }
-            }
-            format!("to cut: {}", said.join("; "))
-        }
+        Class::Recut => to_cut(difference),
         Class::Reassemble => "nothing to cut: parts are placed or joined differently".to_owned(),
         Class::Redraw | Class::Noise => {
             "nothing to cut: only drawings, labels or prices change".to_owned()
         }
+    }
+}
+
+/// What has to be cut, and what need not be kept.
+fn to_cut(difference: &Difference) -> String {
+    let (mut cut, mut gone) = (Vec::new(), Vec::new());
+    for (what, one) in [
+        ("lamellae", "lamella"),
+        ("stickers", "sticker"),
+        ("supports", "support"),
+    ] {
+        let Some(count) = difference
+            .summary
+            .counts
+            .iter()
+            .find(|count| count.what == what)
+        else {
+            continue;
+        };
+        match (count.recut, count.added) {
+            (0, 0) => {}
+            (0, added) => cut.push(format!(
+                "{added} new {}",
+                if added == 1 { one } else { what }
+            )),
+            (recut, 0) => cut.push(format!("{recut} of {} {what} anew", count.before)),
+            (recut, added) => {
+                cut.push(format!(
+                    "{recut} of {} {what} anew, {added} new",
+                    count.before
+                ));
+            }
+        }
+        if count.removed > 0 {
+            gone.push(several(count.removed, one));
+        }
+    }
+    let cut = if cut.is_empty() {
+        "nothing to cut".to_owned()
+    } else {
+        format!("to cut: {}", cut.join("; "))
+    };
+    if gone.is_empty() {
+        cut
+    } else {
+        format!("{cut}; gone: {}", gone.join(", "))
     }
 }
 
