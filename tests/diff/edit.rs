@@ -137,7 +137,7 @@ pub(crate) const EDITS: [Edit; 22] = [
             .with("thickness = 3", "thickness = 0.3")
             .with("height = 120", "height = 12")
             .with("length = 1200, width = 400", "length = 120, width = 40")
-            .with("kerf = 0.15", "kerf = \"150 um\"")
+            .with("kerf = 0.15", "kerf = \"0.15 mm\"")
             .with("clearance = 0.2", "clearance = \"0.2 mm\"")
             .with("spacing = 3", "spacing = 0.3")
             .with("margin = 10", "margin = 1")

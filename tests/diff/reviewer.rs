@@ -27,7 +27,7 @@ const STEPS: [Step; 5] = [
         "point-moved",
         &[
             "to cut: ",
-            "points.a[0] 150 -> 151",
+            "points.a [150, 150] -> [151, 150]",
             "length ",
             "point a  position moved 1 mm",
         ],

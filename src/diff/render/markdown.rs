@@ -220,7 +220,7 @@ fn warnings(page: &mut Page, difference: &Difference) {
             .collect();
         page.table(
             &format!("{head} ({})", rows.len()),
-            "warning",
+            &["warning"],
             &rows,
             Fold::Folded,
         );

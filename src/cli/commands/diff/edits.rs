@@ -14,9 +14,16 @@ pub(super) fn between(before: &Loaded, after: &Loaded) -> Vec<Edit> {
     let mut values: BTreeMap<String, Edit> = BTreeMap::new();
     let each = |source: &Source| -> Vec<(String, String, String)> {
         let text = &source.text;
-        let leaves = source.spans.leaves();
-        leaves
-            .filter_map(|(path, range)| {
+        let mut paths: Vec<&str> = source
+            .spans
+            .leaves()
+            .map(|(path, _)| list_of(path))
+            .collect();
+        paths.dedup();
+        paths
+            .into_iter()
+            .filter_map(|path| {
+                let range = source.spans.value(path);
                 let value = text.get(range.clone())?.split_whitespace();
                 let value = value.collect::<Vec<_>>().join(" ");
                 let line = text.get(..range.start)?.matches('\n').count() + 1;
@@ -51,6 +58,17 @@ pub(super) fn between(before: &Loaded, after: &Loaded) -> Vec<Edit> {
         .collect();
     edits.extend(mesh(old, new));
     edits
+}
+
+/// The list that an item stands in, read as one value; a path to anything else as it is.
+fn list_of(path: &str) -> &str {
+    match path
+        .strip_suffix(']')
+        .and_then(|rest| rest.rsplit_once('['))
+    {
+        Some((list, index)) if index.bytes().all(|c| c.is_ascii_digit()) => list,
+        _ => path,
+    }
 }
 
 /// Edits without those that only follow a new name of a point or a patch.
