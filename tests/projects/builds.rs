@@ -155,7 +155,7 @@ fn a_build_after_an_edit_writes_what_a_clean_build_writes() {
     for (i, (from, to)) in [
         ("bolt = \"M3\"", "bolt = \"M3\"\nshell = \"brass 4x0.45\""),
         ("length = 1000", "length = 990"),
-        ("width = 10", "width = 9"),
+        ("width = 10", "width = 11"),
         ("slope = [", "eta_max = 1.01\nslope = ["),
     ]
     .into_iter()
