@@ -26,6 +26,7 @@ mod charts;
 mod crossing;
 mod error;
 mod field;
+mod front;
 mod path;
 mod solve;
 mod strip;
@@ -42,12 +43,16 @@ pub use variation::{angle_between, derivative_along};
 
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
 use charts::Charts;
-use solve::{Sweep, Until};
+use front::Front;
+use solve::{Sweep, Swept, Until};
+use std::sync::{Mutex, PoisonError};
 
 /// Exact geodesics on a mesh: what is computed once, shared by all solves and threads.
 pub struct Geodesics<'m> {
     mesh: &'m Mesh,
     charts: Charts,
+    /// Workspaces of finished solves, for the next ones; what is in them is never read.
+    fronts: Mutex<Vec<Front>>,
 }
 
 /// How far a field is solved.
@@ -73,6 +78,7 @@ impl<'m> Geodesics<'m> {
         Self {
             mesh,
             charts: Charts::new(mesh),
+            fronts: Mutex::default(),
         }
     }
 
@@ -92,12 +98,12 @@ impl<'m> Geodesics<'m> {
         }
         let source = self.checked(source)?;
         let swept = match reach {
-            Reach::Everywhere => Sweep::new(self.mesh, &self.charts, &[]).run(&source, Until::Done),
+            Reach::Everywhere => self.sweep(&source, &[], Until::Done),
             Reach::Radius(radius) => {
                 if !(radius >= 0.0 && radius.is_finite()) {
                     return Err(GeodesicError::InvalidRadius { radius });
                 }
-                Sweep::new(self.mesh, &self.charts, &[]).run(&source, Until::Beyond(radius))
+                self.sweep(&source, &[], Until::Beyond(radius))
             }
             Reach::Targets(targets) => {
                 let mut vertices = Vec::new();
@@ -108,10 +114,20 @@ impl<'m> Geodesics<'m> {
                         other => others.push(other),
                     }
                 }
-                Sweep::new(self.mesh, &self.charts, &others).run(&source, Until::Reached(&vertices))
+                self.sweep(&source, &others, Until::Reached(&vertices))
             }
         };
         Ok(Field::new(self, source, swept))
+    }
+
+    /// Solves in a workspace that was used before, if one is free.
+    fn sweep(&self, source: &SurfacePoint, others: &[SurfacePoint], until: Until<'_>) -> Swept {
+        let fronts = || self.fronts.lock().unwrap_or_else(PoisonError::into_inner);
+        let free = fronts().pop();
+        let mut front = free.unwrap_or_else(|| Front::new(self.charts.of.len()));
+        let swept = Sweep::new(self.mesh, &self.charts, &mut front, others).run(source, until);
+        fronts().push(front);
+        swept
     }
 
     /// The shortest path between two points.

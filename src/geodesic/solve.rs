@@ -11,11 +11,10 @@
 //! directions at the vertices (see `trace`).
 
 use super::charts::{BORDER, Chart, Charts};
+use super::front::{Front, Next};
 use super::trim;
 use super::window::{SOURCE, Window};
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// A target counts as inside a window that misses it by less than this share of the edge,
 /// measured at the target. The bend that such a path would need lengthens it by the square.
@@ -86,25 +85,26 @@ pub(super) struct Sweep<'a> {
     targets_of_face: Vec<(u32, u32)>,
     /// Windows nearer than this are still wanted.
     bound: f64,
-    front: Front,
+    front: &'a mut Front,
+    scratch: Scratch,
 }
 
-/// Half-edges with pending windows, and vertices about to become sources.
+/// Lists that every step of a sweep uses again.
 #[derive(Default)]
-pub(super) struct Front {
-    pending: Vec<Vec<Window>>,
-    queue: BinaryHeap<Reverse<(u64, u32)>>,
+struct Scratch {
     left: Vec<Window>,
     right: Vec<Window>,
-    merged: Vec<Window>,
-    swept: Vec<(Window, f64)>,
+    /// Per window where its line to the opposite corner crosses the edge; NaN if it is beaten.
+    crossings: Vec<f64>,
 }
 
-/// Marks a queue entry as a vertex.
-const VERTEX: u32 = 1 << 31;
-
 impl<'a> Sweep<'a> {
-    pub(super) fn new(mesh: &'a Mesh, charts: &'a Charts, targets: &[SurfacePoint]) -> Self {
+    pub(super) fn new(
+        mesh: &'a Mesh,
+        charts: &'a Charts,
+        front: &'a mut Front,
+        targets: &[SurfacePoint],
+    ) -> Self {
         let targets: Vec<Target> = targets
             .iter()
             .map(|&point| Target {
@@ -121,8 +121,6 @@ impl<'a> Sweep<'a> {
         }
         targets_of_face.sort_unstable();
         let vertices = mesh.positions().len();
-        let mut front = Front::default();
-        front.pending.resize_with(3 * mesh.faces().len(), Vec::new);
         Self {
             mesh,
             charts,
@@ -132,6 +130,7 @@ impl<'a> Sweep<'a> {
             targets_of_face,
             bound: f64::INFINITY,
             front,
+            scratch: Scratch::default(),
         }
     }
 
@@ -142,7 +141,7 @@ impl<'a> Sweep<'a> {
         }
         self.start(source);
         let mut since_bound = 0;
-        while let Some(Reverse((key, id))) = self.front.queue.pop() {
+        while let Some((distance, next)) = self.front.pop(self.bound) {
             if let Until::Reached(vertices) = until {
                 since_bound += 1;
                 if since_bound == 16 {
@@ -150,18 +149,15 @@ impl<'a> Sweep<'a> {
                     self.bound = self.farthest(vertices);
                 }
             }
-            if f64::from_bits(key) > self.bound {
-                break;
-            }
-            if id & VERTEX == 0 {
-                self.sweep(HalfEdge(id));
-            } else {
-                self.bend_at(id & !VERTEX, f64::from_bits(key));
+            match next {
+                Next::HalfEdge(h) => self.sweep(HalfEdge(h)),
+                Next::Vertex(v) => self.bend_at(v, distance),
             }
         }
         if let Until::Reached(vertices) = until {
             self.bound = self.farthest(vertices);
         }
+        self.front.clear();
         Swept {
             distances: self.distances,
             approaches: self.approaches,
@@ -300,9 +296,7 @@ impl<'a> Sweep<'a> {
         self.approaches[v as usize] = approach;
         // A gain within rounding casts the same shadow again.
         if self.charts.bends[v as usize] && distance * CLEARLY < known && distance < self.bound {
-            self.front
-                .queue
-                .push(Reverse((distance.to_bits(), v | VERTEX)));
+            self.front.push_vertex(v, distance);
         }
     }
 
@@ -391,74 +385,92 @@ impl<'a> Sweep<'a> {
     /// A first window at a half-edge.
     fn emit(&mut self, h: HalfEdge, b: [f64; 2], x: f64, depth: f64, sigma: f64, root: u32) {
         if b[1] > b[0] && depth > 0.0 {
-            self.front.right.clear();
-            self.front.right.push(Window::new(b, x, depth, sigma, root));
-            self.arrive(h, Exit::Right);
+            let list = &mut self.scratch.right;
+            list.clear();
+            list.push(Window::new(b, x, depth, sigma, root));
+            self.front.arrive(h.0, list);
         }
     }
 
-    /// Carries the pending windows of a half-edge across its face.
+    /// Carries the waiting windows of a half-edge across its face.
     fn sweep(&mut self, h: HalfEdge) {
-        let mut windows = std::mem::take(&mut self.front.pending[h.0 as usize]);
-        if windows.is_empty() {
+        let Some((slot, windows)) = self.front.take(h.0) else {
             return;
-        }
-        let chart = *self.charts.chart(h);
+        };
+        let chart = self.charts.chart(h);
         let corners = self.mesh.faces()[h.face() as usize];
         let a = corners[h.corner()] as usize;
         let b = corners[(h.corner() + 1) % 3] as usize;
         let c = corners[(h.corner() + 2) % 3];
-        let targets = self.targets_in(h.face());
         let apex = chart.apex();
-        let mut swept = std::mem::take(&mut self.front.swept);
-        swept.clear();
-        for w in windows.drain(..) {
-            let beaten_by_a = (self.distances[a] + w.b1) * CLEARLY < w.d1;
-            let beaten_by_b = (self.distances[b] + (chart.length - w.b0)) * CLEARLY < w.d0;
+        let (at_a, at_b) = (self.distances[a], self.distances[b]);
+        let mut crossings = std::mem::take(&mut self.scratch.crossings);
+        crossings.clear();
+        let mut nearest = f64::INFINITY;
+        let mut best = 0;
+        for (i, w) in windows.iter().enumerate() {
+            let beaten_by_a = (at_a + w.b1) * CLEARLY < w.d1;
+            let beaten_by_b = (at_b + (chart.length - w.b0)) * CLEARLY < w.d0;
             if beaten_by_a || beaten_by_b || w.nearest() > self.bound {
+                crossings.push(f64::NAN);
                 continue;
             }
             let to_c = w.crossing(apex);
-            if let Some(distance) = straight(&w, &chart, apex, to_c) {
-                self.reach(c, distance, approach(h, &w));
+            crossings.push(to_c);
+            if let Some(distance) = straight(w, chart, apex, to_c)
+                && distance < nearest
+            {
+                nearest = distance;
+                best = i;
             }
-            for i in targets.clone() {
-                let target = &mut self.targets[self.targets_of_face[i].1 as usize];
-                let Some(at) = self.charts.coordinates_above(self.mesh, h, &target.point) else {
-                    continue; // on the edge itself: met in the face before
-                };
-                if let Some(distance) = straight(&w, &chart, at, w.crossing(at))
+        }
+        if nearest < f64::INFINITY {
+            self.reach(c, nearest, approach(h, &windows[best]));
+        }
+        self.meet_targets(h, &windows, &crossings);
+        let known = [at_a, at_b, self.distances[c as usize]];
+        if chart.left_exit != BORDER {
+            self.cross_left(&windows, &crossings, chart, known);
+            self.front.arrive(chart.left_exit, &mut self.scratch.left);
+        }
+        if chart.right_exit != BORDER {
+            self.cross_right(&windows, &crossings, chart, known);
+            self.front.arrive(chart.right_exit, &mut self.scratch.right);
+        }
+        self.scratch.crossings = crossings;
+        self.front.recycle(slot, windows);
+    }
+
+    /// Offers the targets in the face above `h` the straight lines through the windows there.
+    fn meet_targets(&mut self, h: HalfEdge, windows: &[Window], crossings: &[f64]) {
+        for i in self.targets_in(h.face()) {
+            let target = &mut self.targets[self.targets_of_face[i].1 as usize];
+            let Some(at) = self.charts.coordinates_above(self.mesh, h, &target.point) else {
+                continue; // on the edge itself: met in the face before
+            };
+            let chart = self.charts.chart(h);
+            for (w, _) in windows.iter().zip(crossings).filter(|(_, c)| !c.is_nan()) {
+                if let Some(distance) = straight(w, chart, at, w.crossing(at))
                     && distance < target.distance
                 {
                     target.distance = distance;
-                    target.approach = approach(h, &w);
+                    target.approach = approach(h, w);
                 }
             }
-            swept.push((w, to_c));
         }
-        self.front.pending[h.0 as usize] = windows;
-        let known = [a, b, c as usize].map(|v| self.distances[v]);
-        if chart.left_exit != BORDER {
-            self.cross_left(&swept, &chart, known);
-            self.arrive(HalfEdge(chart.left_exit), Exit::Left);
-        }
-        if chart.right_exit != BORDER {
-            self.cross_right(&swept, &chart, known);
-            self.arrive(HalfEdge(chart.right_exit), Exit::Right);
-        }
-        self.front.swept = swept;
     }
 
     /// Windows on the edge A→C of the face beyond.
-    fn cross_left(&mut self, swept: &[(Window, f64)], chart: &Chart, known: [f64; 3]) {
-        let list = &mut self.front.left;
+    fn cross_left(&mut self, windows: &[Window], crossings: &[f64], chart: &Chart, at: [f64; 3]) {
+        let list = &mut self.scratch.left;
         list.clear();
-        let [at_a, _, at_c] = known;
-        for (w, to_c) in swept {
-            if *to_c <= w.b0 {
+        let [at_a, _, at_c] = at;
+        for (w, &to_c) in windows.iter().zip(crossings) {
+            // Not for NaN either.
+            if !(to_c > w.b0) {
                 continue;
             }
-            let end = (*to_c > w.b1).then_some(w.b1);
+            let end = (to_c > w.b1).then_some(w.b1);
             if let Some(child) = w.through_left(chart, w.b0, end)
                 && (at_a + child.b1) * CLEARLY >= child.d1
                 && (at_c + (chart.left_length - child.b0)) * CLEARLY >= child.d0
@@ -470,15 +482,15 @@ impl<'a> Sweep<'a> {
     }
 
     /// Windows on the edge C→B of the face beyond.
-    fn cross_right(&mut self, swept: &[(Window, f64)], chart: &Chart, known: [f64; 3]) {
-        let list = &mut self.front.right;
+    fn cross_right(&mut self, windows: &[Window], crossings: &[f64], chart: &Chart, at: [f64; 3]) {
+        let list = &mut self.scratch.right;
         list.clear();
-        let [_, at_b, at_c] = known;
-        for (w, to_c) in swept {
-            if *to_c >= w.b1 {
+        let [_, at_b, at_c] = at;
+        for (w, &to_c) in windows.iter().zip(crossings) {
+            if !(to_c < w.b1) {
                 continue;
             }
-            let begin = (*to_c < w.b0).then_some(w.b0);
+            let begin = (to_c < w.b0).then_some(w.b0);
             if let Some(child) = w.through_right(chart, begin, w.b1)
                 && (at_c + child.b1) * CLEARLY >= child.d1
                 && (at_b + (chart.right_length - child.b0)) * CLEARLY >= child.d0
@@ -488,38 +500,6 @@ impl<'a> Sweep<'a> {
             }
         }
     }
-
-    /// Adds a sorted list of new windows to what waits at a half-edge.
-    fn arrive(&mut self, h: HalfEdge, exit: Exit) {
-        let front = &mut self.front;
-        let new = match exit {
-            Exit::Left => &front.left,
-            Exit::Right => &front.right,
-        };
-        let nearest = new
-            .iter()
-            .map(Window::nearest)
-            .fold(f64::INFINITY, f64::min);
-        if nearest == f64::INFINITY {
-            return;
-        }
-        let pending = &mut front.pending[h.0 as usize];
-        if pending.is_empty() {
-            pending.extend_from_slice(new);
-        } else {
-            front.merged.clear();
-            trim::merge(pending, new, &mut front.merged);
-            pending.clear();
-            pending.extend_from_slice(&front.merged);
-        }
-        front.queue.push(Reverse((nearest.to_bits(), h.0)));
-    }
-}
-
-#[derive(Clone, Copy)]
-enum Exit {
-    Left,
-    Right,
 }
 
 fn approach(h: HalfEdge, w: &Window) -> Approach {
