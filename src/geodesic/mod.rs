@@ -22,30 +22,43 @@
 //! The border is part of the surface: paths run along it and bend round its inner corners. There
 //! is no path between components: [`GeodesicError::Unreachable`].
 
+mod aim;
+mod certificate;
 mod charts;
 mod crossing;
 mod error;
 mod field;
 mod front;
+mod funnel;
+mod laid;
+mod lens;
 mod path;
+mod relax;
+mod seed;
+mod shoot;
 mod solve;
 mod strip;
+mod table;
 mod trace;
 mod trim;
 mod variation;
+mod walk;
 mod window;
 
+pub use certificate::{Certificate, Grounds};
 pub use crossing::{Curve, Hit, crossings};
 pub use error::GeodesicError;
 pub use field::{Arrival, Field};
 pub use path::Path;
+pub use table::{Known, Table};
 pub use variation::{angle_between, derivative_along};
 
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
+use aim::Aim;
 use charts::Charts;
 use front::Front;
 use solve::{Sweep, Swept, Until};
-use std::sync::{Mutex, PoisonError};
+use std::sync::{Mutex, OnceLock, PoisonError};
 
 /// Exact geodesics on a mesh: what is computed once, shared by all solves and threads.
 pub struct Geodesics<'m> {
@@ -53,6 +66,7 @@ pub struct Geodesics<'m> {
     charts: Charts,
     /// Workspaces of finished solves, for the next ones; what is in them is never read.
     fronts: Mutex<Vec<Front>>,
+    unique: OnceLock<bool>,
 }
 
 /// How far a field is solved.
@@ -69,6 +83,9 @@ pub enum Reach<'a> {
 /// Coordinates closer to 0 than this are 0: the point is on the edge or at the vertex.
 const SNAP: f64 = 1e-12;
 
+/// Lengths that agree to this share belong to one path.
+const SAME: f64 = 1e-12;
+
 /// Barycentric coordinates may miss the sum 1 by so much.
 const UNIT_SUM: f64 = 1e-9;
 
@@ -79,6 +96,7 @@ impl<'m> Geodesics<'m> {
             mesh,
             charts: Charts::new(mesh),
             fronts: Mutex::default(),
+            unique: OnceLock::new(),
         }
     }
 
@@ -98,42 +116,96 @@ impl<'m> Geodesics<'m> {
         }
         let source = self.checked(source)?;
         let swept = match reach {
-            Reach::Everywhere => self.sweep(&source, &[], Until::Done),
+            Reach::Everywhere => self.sweep(&source, &[], Until::Done, Aim::default()),
             Reach::Radius(radius) => {
                 if !(radius >= 0.0 && radius.is_finite()) {
                     return Err(GeodesicError::InvalidRadius { radius });
                 }
-                self.sweep(&source, &[], Until::Beyond(radius))
+                self.sweep(&source, &[], Until::Beyond(radius), Aim::default())
             }
             Reach::Targets(targets) => {
-                let mut vertices = Vec::new();
-                let mut others = Vec::new();
-                for target in targets {
-                    match self.checked(target)? {
-                        SurfacePoint::Vertex(v) => vertices.push(v),
-                        other => others.push(other),
-                    }
-                }
-                self.sweep(&source, &others, Until::Reached(&vertices))
+                let targets = self.all_checked(targets)?;
+                self.sweep_to(&source, &targets, Aim::default())
             }
         };
         Ok(Field::new(self, source, swept))
     }
 
+    /// The shortest path between two points.
+    ///
+    /// A path that is shortest among its neighbours is found first; where the mesh does not say
+    /// that it is the only one, the exact solver looks for shorter ones, and only where these could
+    /// be.
+    pub fn shortest(&self, from: &SurfacePoint, to: &SurfacePoint) -> Result<Path, GeodesicError> {
+        if let Some(face) = self.charts.degenerate {
+            return Err(GeodesicError::DegenerateFace { face });
+        }
+        let (from, to) = (self.checked(from)?, self.checked(to)?);
+        let near = if from == to {
+            None
+        } else {
+            self.near_path(&from, &to)
+        };
+        let Some(near) = near else {
+            return self.field(&from, Reach::Targets(&[to]))?.path_to(&to);
+        };
+        if self.is_unique() {
+            return Ok(near);
+        }
+        let shorter = self.shorter(&from, &[(to, near.length)]).pop().flatten();
+        Ok(shorter.unwrap_or(near))
+    }
+
+    /// Exact paths from a point that are shorter than known ones; `None` where there is none.
+    fn shorter(&self, from: &SurfacePoint, known: &[(SurfacePoint, f64)]) -> Vec<Option<Path>> {
+        let targets: Vec<SurfacePoint> = known.iter().map(|k| k.0).collect();
+        let swept = self.sweep_to(from, &targets, Aim::new(self.mesh, known));
+        let field = Field::new(self, *from, swept);
+        let shorter = |(to, length): &(SurfacePoint, f64)| {
+            let path = field.path_to(to).ok()?;
+            (path.length < length * (1.0 - SAME)).then_some(path)
+        };
+        known.iter().map(shorter).collect()
+    }
+
+    /// Whether all geodesics of the mesh are the only ones between their ends.
+    fn is_unique(&self) -> bool {
+        *self
+            .unique
+            .get_or_init(|| certificate::unique(self.mesh, &self.charts))
+    }
+
+    fn sweep_to(&self, source: &SurfacePoint, targets: &[SurfacePoint], aim: Aim) -> Swept {
+        let mut vertices = Vec::new();
+        let mut others = Vec::new();
+        for target in targets {
+            match *target {
+                SurfacePoint::Vertex(v) => vertices.push(v),
+                other => others.push(other),
+            }
+        }
+        self.sweep(source, &others, Until::Reached(&vertices), aim)
+    }
+
     /// Solves in a workspace that was used before, if one is free.
-    fn sweep(&self, source: &SurfacePoint, others: &[SurfacePoint], until: Until<'_>) -> Swept {
+    fn sweep(
+        &self,
+        source: &SurfacePoint,
+        others: &[SurfacePoint],
+        until: Until<'_>,
+        aim: Aim,
+    ) -> Swept {
         let fronts = || self.fronts.lock().unwrap_or_else(PoisonError::into_inner);
         let free = fronts().pop();
         let mut front = free.unwrap_or_else(|| Front::new(self.charts.of.len()));
-        let swept = Sweep::new(self.mesh, &self.charts, &mut front, others).run(source, until);
+        let sweep = Sweep::new(self.mesh, &self.charts, &mut front, others, aim);
+        let swept = sweep.run(source, until);
         fronts().push(front);
         swept
     }
 
-    /// The shortest path between two points.
-    pub fn shortest(&self, from: &SurfacePoint, to: &SurfacePoint) -> Result<Path, GeodesicError> {
-        self.field(from, Reach::Targets(std::slice::from_ref(to)))?
-            .path_to(to)
+    fn all_checked(&self, points: &[SurfacePoint]) -> Result<Vec<SurfacePoint>, GeodesicError> {
+        points.iter().map(|point| self.checked(point)).collect()
     }
 
     /// A point with its ids and coordinates checked, named in one way only: snapped to the edge

@@ -10,6 +10,7 @@
 //! Nothing is kept of a window once it is swept; a path is found again from the arrival
 //! directions at the vertices (see `trace`).
 
+use super::aim::Aim;
 use super::charts::{BORDER, Chart, Charts};
 use super::front::{Front, Next};
 use super::trim;
@@ -85,6 +86,7 @@ pub(super) struct Sweep<'a> {
     targets_of_face: Vec<(u32, u32)>,
     /// Windows nearer than this are still wanted.
     bound: f64,
+    aim: Aim,
     front: &'a mut Front,
     scratch: Scratch,
 }
@@ -104,6 +106,7 @@ impl<'a> Sweep<'a> {
         charts: &'a Charts,
         front: &'a mut Front,
         targets: &[SurfacePoint],
+        aim: Aim,
     ) -> Self {
         let targets: Vec<Target> = targets
             .iter()
@@ -128,7 +131,8 @@ impl<'a> Sweep<'a> {
             approaches: vec![Approach::NONE; vertices],
             targets,
             targets_of_face,
-            bound: f64::INFINITY,
+            bound: aim.farthest(),
+            aim,
             front,
             scratch: Scratch::default(),
         }
@@ -146,7 +150,7 @@ impl<'a> Sweep<'a> {
                 since_bound += 1;
                 if since_bound == 16 {
                     since_bound = 0;
-                    self.bound = self.farthest(vertices);
+                    self.bound = self.farthest(vertices).min(self.aim.farthest());
                 }
             }
             match next {
@@ -430,11 +434,13 @@ impl<'a> Sweep<'a> {
         self.meet_targets(h, &windows, &crossings);
         let known = [at_a, at_b, self.distances[c as usize]];
         if chart.left_exit != BORDER {
-            self.cross_left(&windows, &crossings, chart, known);
+            let limit = self.aim.limit(self.mesh, h.prev(), chart.left_length);
+            self.cross_left(&windows, &crossings, chart, known, limit);
             self.front.arrive(chart.left_exit, &mut self.scratch.left);
         }
         if chart.right_exit != BORDER {
-            self.cross_right(&windows, &crossings, chart, known);
+            let limit = self.aim.limit(self.mesh, h.next(), chart.right_length);
+            self.cross_right(&windows, &crossings, chart, known, limit);
             self.front.arrive(chart.right_exit, &mut self.scratch.right);
         }
         self.scratch.crossings = crossings;
@@ -461,7 +467,15 @@ impl<'a> Sweep<'a> {
     }
 
     /// Windows on the edge A→C of the face beyond.
-    fn cross_left(&mut self, windows: &[Window], crossings: &[f64], chart: &Chart, at: [f64; 3]) {
+    fn cross_left(
+        &mut self,
+        windows: &[Window],
+        crossings: &[f64],
+        chart: &Chart,
+        at: [f64; 3],
+        limit: f64,
+    ) {
+        let bound = self.bound.min(limit);
         let list = &mut self.scratch.left;
         list.clear();
         let [at_a, _, at_c] = at;
@@ -474,7 +488,7 @@ impl<'a> Sweep<'a> {
             if let Some(child) = w.through_left(chart, w.b0, end)
                 && (at_a + child.b1) * CLEARLY >= child.d1
                 && (at_c + (chart.left_length - child.b0)) * CLEARLY >= child.d0
-                && child.nearest() <= self.bound
+                && child.nearest() <= bound
             {
                 trim::push(list, child);
             }
@@ -482,7 +496,15 @@ impl<'a> Sweep<'a> {
     }
 
     /// Windows on the edge C→B of the face beyond.
-    fn cross_right(&mut self, windows: &[Window], crossings: &[f64], chart: &Chart, at: [f64; 3]) {
+    fn cross_right(
+        &mut self,
+        windows: &[Window],
+        crossings: &[f64],
+        chart: &Chart,
+        at: [f64; 3],
+        limit: f64,
+    ) {
+        let bound = self.bound.min(limit);
         let list = &mut self.scratch.right;
         list.clear();
         let [_, at_b, at_c] = at;
@@ -494,7 +516,7 @@ impl<'a> Sweep<'a> {
             if let Some(child) = w.through_right(chart, begin, w.b1)
                 && (at_c + child.b1) * CLEARLY >= child.d1
                 && (at_b + (chart.right_length - child.b0)) * CLEARLY >= child.d0
-                && child.nearest() <= self.bound
+                && child.nearest() <= bound
             {
                 trim::push(list, child);
             }
