@@ -9,9 +9,13 @@ pub enum Grounds {
     /// The mesh is a disc without positive curvature: two geodesics with common ends would enclose
     /// some (Gauss-Bonnet), so the geodesic between two points is unique.
     Unique,
-    /// Rows of pairs at intervals are solved exactly, and shortest paths with a common end do not
+    /// The mesh is no disc, and paths may pass on either side of what is missing: every pair is
+    /// solved exactly.
+    Solved,
+    /// The mesh is a disc. Rows of pairs at intervals are solved exactly, and shortest paths with a common end do not
     /// cross: a path from a point between two solved ones runs between their paths. Paths are
-    /// followed from both, and to either side of every vertex close enough to matter.
+    /// followed from both, and to either side of every vertex close enough to matter; where they
+    /// differ, or a promising branch is not found, the exact solver looks for shorter ones.
     Bracketed,
 }
 
@@ -26,8 +30,6 @@ pub struct Certificate {
     pub exact: usize,
     /// Pairs to which all solved neighbours lead by the same path.
     pub agreed: usize,
-    /// Pairs to which they lead by different paths, of which the shortest is taken.
-    pub chosen: usize,
 }
 
 /// Rows that are solved exactly where geodesics need not be unique.
@@ -41,16 +43,23 @@ const NO_CURVATURE: f64 = 1e-7;
 pub(super) fn exact_rows(rows: usize, grounds: Grounds) -> Vec<usize> {
     match grounds {
         Grounds::Unique if rows > 0 => vec![rows / 2],
-        _ if rows <= SOLVED => (0..rows).collect(),
-        _ => (0..SOLVED).map(|k| k * (rows - 1) / (SOLVED - 1)).collect(),
+        Grounds::Bracketed if rows > SOLVED => {
+            (0..SOLVED).map(|k| k * (rows - 1) / (SOLVED - 1)).collect()
+        }
+        _ => (0..rows).collect(),
     }
 }
 
-/// Whether all geodesics of a mesh are unique: it is a disc, and no vertex inside has less than the
-/// full angle around it.
-pub(super) fn unique(mesh: &Mesh, charts: &Charts) -> bool {
+/// What tables on a mesh can rest on.
+pub(super) fn grounds(mesh: &Mesh, charts: &Charts) -> Grounds {
     let positive: f64 = charts.curvatures.iter().map(|k| k.max(0.0)).sum();
-    positive <= NO_CURVATURE && is_disc(mesh)
+    if !is_disc(mesh) {
+        Grounds::Solved
+    } else if positive <= NO_CURVATURE {
+        Grounds::Unique
+    } else {
+        Grounds::Bracketed
+    }
 }
 
 /// Connected, with one border and no handle.

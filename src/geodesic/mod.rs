@@ -37,6 +37,7 @@ mod relax;
 mod seed;
 mod shoot;
 mod solve;
+mod source;
 mod strip;
 mod table;
 mod trace;
@@ -52,6 +53,7 @@ pub use field::{Arrival, Field};
 pub use path::Path;
 pub use table::{Known, Table};
 pub use variation::{angle_between, derivative_along};
+pub use walk::Follow;
 
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
 use aim::Aim;
@@ -66,7 +68,7 @@ pub struct Geodesics<'m> {
     charts: Charts,
     /// Workspaces of finished solves, for the next ones; what is in them is never read.
     fronts: Mutex<Vec<Front>>,
-    unique: OnceLock<bool>,
+    grounds: OnceLock<Grounds>,
 }
 
 /// How far a field is solved.
@@ -86,6 +88,9 @@ const SNAP: f64 = 1e-12;
 /// Lengths that agree to this share belong to one path.
 const SAME: f64 = 1e-12;
 
+/// Barycentric coordinates that were scaled to the sum 1 miss it by less.
+const ROUNDED_SUM: f64 = 1e-14;
+
 /// Barycentric coordinates may miss the sum 1 by so much.
 const UNIT_SUM: f64 = 1e-9;
 
@@ -96,7 +101,7 @@ impl<'m> Geodesics<'m> {
             mesh,
             charts: Charts::new(mesh),
             fronts: Mutex::default(),
-            unique: OnceLock::new(),
+            grounds: OnceLock::new(),
         }
     }
 
@@ -149,7 +154,7 @@ impl<'m> Geodesics<'m> {
         let Some(near) = near else {
             return self.field(&from, Reach::Targets(&[to]))?.path_to(&to);
         };
-        if self.is_unique() {
+        if self.grounds() == Grounds::Unique {
             return Ok(near);
         }
         let shorter = self.shorter(&from, &[(to, near.length)]).pop().flatten();
@@ -168,11 +173,11 @@ impl<'m> Geodesics<'m> {
         known.iter().map(shorter).collect()
     }
 
-    /// Whether all geodesics of the mesh are the only ones between their ends.
-    fn is_unique(&self) -> bool {
+    /// What is known of all geodesics of the mesh.
+    fn grounds(&self) -> Grounds {
         *self
-            .unique
-            .get_or_init(|| certificate::unique(self.mesh, &self.charts))
+            .grounds
+            .get_or_init(|| certificate::grounds(self.mesh, &self.charts))
     }
 
     fn sweep_to(&self, source: &SurfacePoint, targets: &[SurfacePoint], aim: Aim) -> Swept {
@@ -234,7 +239,13 @@ impl<'m> Geodesics<'m> {
                 if face as usize >= faces || !inside || (sum - 1.0).abs() > UNIT_SUM {
                     return invalid;
                 }
-                let bary = bary.map(|b| b.max(0.0) / sum);
+                // A sum that is 1 up to rounding stays, so that a checked point checks as itself.
+                let scale = if (sum - 1.0).abs() > ROUNDED_SUM {
+                    sum
+                } else {
+                    1.0
+                };
+                let bary = bary.map(|b| b.max(0.0) / scale);
                 let corner = (0..3).find(|&i| bary[i] >= 1.0 - 2.0 * SNAP);
                 let side = (0..3).find(|&i| bary[i] < SNAP);
                 Ok(match (corner, side) {

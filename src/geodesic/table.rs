@@ -58,11 +58,7 @@ impl Geodesics<'_> {
             return Err(GeodesicError::DegenerateFace { face });
         }
         let (from, to) = (self.all_checked(from)?, self.all_checked(to)?);
-        let grounds = if self.is_unique() {
-            Grounds::Unique
-        } else {
-            Grounds::Bracketed
-        };
+        let grounds = self.grounds();
         let rows = exact_rows(from.len(), grounds);
         let solved: Vec<Vec<Path>> = rows
             .par_iter()
@@ -116,7 +112,6 @@ impl Geodesics<'_> {
                 solves,
                 exact: count(Known::Exact),
                 agreed: count(Known::Agreed),
-                chosen: count(Known::Chosen),
             },
             pairs: table.cells.iter().map(|cell| cell.arrival).collect(),
             kinds: table.cells.iter().map(|cell| cell.kind).collect(),

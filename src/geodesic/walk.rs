@@ -5,7 +5,7 @@ use super::laid::{Laid, V2};
 use super::lens::Lens;
 use super::relax::{EQUAL, Relaxer, Tight, face_at};
 use super::shoot::{Shooter, Strip, base};
-use super::{Arrival, Path};
+use super::{Arrival, Geodesics, Path};
 use crate::surface::{HalfEdge, Mesh, SurfacePoint, Tangent};
 
 /// Lines shot for one path before its strip is turned by hand.
@@ -16,6 +16,35 @@ const TRIALS: usize = 4;
 
 /// Changes from branch to branch of one path.
 const MOST_BRANCHES: usize = 16;
+
+/// A shortest path whose end can be moved: where it goes in small steps, each costs little more than
+/// the crossings of the path.
+///
+/// The path stays the shortest among all those around it. Whether it is the shortest of all is for
+/// [`Geodesics::shortest`] to say.
+pub struct Follow<'g> {
+    walk: Walk<'g>,
+    last: Laid,
+}
+
+impl<'g> Geodesics<'g> {
+    /// Takes up a path to move its end; `None` if its start is no point of the mesh.
+    pub fn follow(&'g self, path: &Path) -> Option<Follow<'g>> {
+        let start = self.checked(path.points.first()?).ok()?;
+        let mut walk = Walk::new(self.mesh, &self.charts, &start)?;
+        let last = walk.take_up(&path.reversed())?;
+        Some(Follow { walk, last })
+    }
+}
+
+impl Follow<'_> {
+    /// The path to a point close to the end of the last one; `None` where it is lost.
+    pub fn to(&mut self, point: &SurfacePoint) -> Option<Arrival> {
+        let tight = self.walk.step(&self.last, point)?;
+        self.last = tight.last;
+        Some(tight.arrival())
+    }
+}
 
 /// Follows paths from a point.
 pub(super) struct Walk<'a> {
