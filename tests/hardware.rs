@@ -149,7 +149,7 @@ fn wrong_hardware_and_supports_are_explained() {
     );
     tell(
         "high supports only",
-        &supported(listed(&["west.u05-v04"]), blocks, 0.0),
+        &supported(listed(&["west.u05-v04"]), blocks, 0.1),
     );
 
     let mut steep = Job::pavilion();
