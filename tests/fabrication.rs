@@ -53,7 +53,8 @@ fn cut_files_hold_every_opening_of_the_plan_with_true_arcs() {
 fn kerf_grows_outlines_and_shrinks_openings() {
     let mut job = Job::pavilion();
     job.fabrication.kerf = 0.25e-3;
-    job.fabrication.colours = egg::project::model::ColourPreset::BlueCut;
+    job.fabrication.colours = egg::project::model::ColourPreset::ByLayer;
+    job.prepare();
     let folder = job.write("pavilion-kerf");
     assert_eq!(
         python::read(&readers(), "cut_files.py", &[&folder]).trim(),

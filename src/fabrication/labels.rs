@@ -278,6 +278,12 @@ mod tests {
         assert!(labels.omitted.is_empty());
         assert_eq!(labels.texts.len(), 5);
         assert!(labels.texts.iter().all(|t| t.height == 3.0));
+        // Nothing covers them: no sticker is glued over a label.
+        for text in &labels.texts {
+            let bounds = text.bounds();
+            let covered = |&at: &f64| bounds.max[0] > at - 6.0 && bounds.min[0] < at + 6.0;
+            assert!(![12.0, 100.0, 288.0].iter().any(covered), "{text:?}");
+        }
     }
 
     #[test]

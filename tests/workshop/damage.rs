@@ -5,6 +5,7 @@ use crate::golden;
 use egg::fabrication::readback::{Folder, verify};
 use egg::plan::to_ron;
 use egg::project::model::SpliceKind;
+use proptest::prelude::*;
 
 fn folder(job: &Job) -> Folder {
     let mut folder: Folder = job
@@ -194,5 +195,38 @@ fn no_bytes_make_verify_panic() {
                 "{path}"
             );
         }
+    }
+}
+
+/// A plan with one drawing beside it, so that reading takes no time.
+fn with_one(end: &str) -> (Folder, String) {
+    let whole = folder(&Job::desktop());
+    let name = path(&whole, end);
+    let wanted = |path: &String| *path == name || path == "plan.ron";
+    let few = whole.into_iter().filter(|(path, _)| wanted(path));
+    (few.collect(), name)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(48))]
+
+    #[test]
+    fn damaged_drawings_never_make_verify_panic(
+        is_svg in any::<bool>(),
+        edits in prop::collection::vec((0.0f64..1.0, 0usize..12, "[-0-9.eAMLZ \\r\\n\"<>]{0,6}"), 1..6),
+    ) {
+        let end = if is_svg { "coupon/limewood-1mm.svg" } else { "parts/west.u03.dxf" };
+        let (mut files, name) = with_one(end);
+        let mut text = String::from_utf8(files[&name].clone()).expect("UTF-8");
+        for (place, removed, inserted) in edits {
+            let mut at = (place * text.len() as f64) as usize;
+            let mut to = (at + removed).min(text.len());
+            while !text.is_char_boundary(at) { at -= 1; }
+            while !text.is_char_boundary(to) { to += 1; }
+            text.replace_range(at..to, &inserted);
+        }
+        files.insert(name, text.into_bytes());
+        // Everything else is missing, which is told.
+        prop_assert!(verify(&files).is_err());
     }
 }

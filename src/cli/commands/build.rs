@@ -52,6 +52,9 @@ fn finished(console: Console, job: &Job, built: &Built, begin: Instant) {
         .as_ref()
         .map_or("", |p| p.name.as_str());
     let publication = &built.publication;
+    if built.succeeded() {
+        nested(console, built);
+    }
     console.record(&Finished {
         reason: "build-finished",
         success: built.succeeded(),
@@ -70,7 +73,6 @@ fn finished(console: Console, job: &Job, built: &Built, begin: Instant) {
     };
     let seconds = begin.elapsed().as_secs_f64();
     if built.succeeded() {
-        nested(console, built);
         console.status(
             "Finished",
             &format!(

@@ -8,7 +8,7 @@
 //!
 //! - the square of the lamella's curvature there, and half that of its twist, both in shares of
 //!   the largest on the lamella ([`curve`]): bending stress grows with curvature;
-//! - nearness to an opening, up to twice the width or 30 mm;
+//! - nearness of its middle to an opening, up to twice the width or 30 mm;
 //! - nearness in space to the joints of other lamellae, up to one and a half cells of the grid:
 //!   two joints side by side make a hinge. Where patches meet, the boundary lamellae of both are
 //!   staggered in this way as well.
@@ -216,9 +216,9 @@ impl<'a> Site<'a> {
         self.curve.at(self.on_member(x))
     }
 
-    /// Distance of a joint from the nearest opening.
+    /// Distance of the middle of a joint from the nearest opening.
     fn clear(&self, x: f64) -> f64 {
-        let gap = |[from, to]: &[f64; 2]| (from - (x + self.half)).max((x - self.half) - to);
+        let gap = |[from, to]: &[f64; 2]| (from - x).max(x - to);
         self.openings.iter().map(gap).fold(f64::INFINITY, f64::min)
     }
 
@@ -348,11 +348,11 @@ fn near_crossings(close: Vec<Close<'_>>) -> Option<Diagnostic> {
         .min_by(|a, b| a.clear.total_cmp(&b.clear))?;
     let others = match count {
         1 => String::new(),
-        2 => ", and another joint is close as well".to_owned(),
-        n => format!(", and {} other joints are close as well", n - 1),
+        2 => ", and another is close as well".to_owned(),
+        n => format!(", and {} others are close as well", n - 1),
     };
     let message = format!(
-        "a joint of `{}` is {:.1} mm from an opening{others}",
+        "the middle of a joint of `{}` is {:.1} mm from an opening{others}",
         worst.lamella,
         worst.clear * MM
     );

@@ -295,7 +295,7 @@ pub(crate) struct StickerFile {
     /// Margin around the contact area, a length. Default `"2 mm"`.
     #[schemars(extend("default" = "2 mm"))]
     pub(crate) margin: Option<Field<Length<Gap>>>,
-    /// The sheet of foil that stickers are cut from. Default 300 mm x 200 mm.
+    /// The sheet of foil that stickers are cut from. Default 600 mm x 300 mm.
     pub(crate) sheet: Option<Field<FoilFile>>,
 }
 
