@@ -4,7 +4,7 @@
 //! every node, shells and stickers from the crossings that slide. Spares are a twentieth,
 //! rounded up, at least two. Rows stand in the order of categories and of their ids.
 
-use super::hardware::{SHELL_EXCESS, Series, TUBE_SAW, tube_mass_per_metre};
+use super::hardware::{Fastener, SHELL_EXCESS, Series, TUBE_SAW, tube_mass_per_metre};
 use super::index::PlanIndex;
 use super::nesting::Group;
 use super::nodes::{Node, nodes};
@@ -152,14 +152,19 @@ fn fasteners(
     };
     // Lengths in micrometres, which compare exactly.
     let mut lengths: BTreeMap<u64, usize> = BTreeMap::new();
+    let mut rods: BTreeMap<u64, usize> = BTreeMap::new();
     let (mut nuts, mut washers) = (0, 0);
     for node in nodes {
         let fixing = node.fixing(&plan.supports, shopping.hardware);
-        let Some(length) = fixing.bolt else {
-            let need = series.bolt_length(fixing.stack).unwrap_or_else(|need| need);
-            return Err(vec![too_short(node, series, need, &bolt.name)]);
+        let (length, kind) = match fixing.fastener {
+            Some(Fastener::Bolt(length)) => (length, &mut lengths),
+            Some(Fastener::Rod(length)) => (length, &mut rods),
+            None => {
+                let need = series.bolt_length(fixing.stack).unwrap_or_else(|need| need);
+                return Err(vec![too_short(node, series, need, &bolt.name)]);
+            }
         };
-        *lengths.entry(libm::round(length * 1e6) as u64).or_default() += 1;
+        *kind.entry(libm::round(length * 1e6) as u64).or_default() += 1;
         nuts += fixing.nuts;
         washers += fixing.washers;
     }
@@ -191,6 +196,17 @@ fn fasteners(
             )
         })
         .collect();
+    rows.extend(rods.into_iter().map(|(micrometres, count)| {
+        let length = micrometres as f64 * 1e-6;
+        let millimetres = trim(length * MM);
+        piece(
+            format!("rod-{key}x{millimetres}"),
+            "threaded rod, cut to length",
+            format!("DIN 976 {name}x{millimetres}"),
+            count,
+            series.rod_mass(length),
+        )
+    }));
     rows.push(piece(
         format!("nut-{key}"),
         "lock nut",

@@ -12,7 +12,7 @@
 //! | [`lints`], [`hardware`] | what a workshop would object to |
 //! | [`sheet`], [`passage`] | cut files and overview of a sheet; those of a sheet longer than the bed |
 //! | [`coupon`] | a test piece for kerf and fit |
-//! | [`layout`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
+//! | [`layout`], [`network`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
 //! | [`tables`], [`workbook`] | CSV and XLSX |
 //! | [`assembly`] | the step list |
 //! | [`drawing`], [`stroke_font`] | the neutral drawing and its letters |
@@ -39,6 +39,7 @@ pub mod layout;
 pub mod lints;
 pub mod names;
 pub mod nesting;
+pub mod network;
 pub mod nodes;
 pub mod outline;
 mod outputs;
@@ -59,8 +60,9 @@ pub mod tables;
 pub mod units;
 pub mod workbook;
 
+pub use network::NamedQuad;
 pub use outputs::{
     Inputs, OutputFile, above_files, assembly_file, blanks, check, cladding_files, coupon_files,
-    layout_files, outputs, overview_files, part_files, parts, sheet_files, sticker_files,
-    support_files, table_files,
+    layout_files, network_files, outputs, overview_files, part_files, parts, sheet_files,
+    sticker_files, support_files, table_files,
 };

@@ -3,7 +3,7 @@
 //! Where patches meet, each has its own boundary lamella with holes at the same places, so
 //! crossings of several patches lie at one point and one bolt goes through all their lamellae.
 
-use super::hardware::Series;
+use super::hardware::{Fastener, Series};
 use super::index::PlanIndex;
 use crate::plan::{CrossingRecord, OpeningRecord, SupportRecord};
 use crate::project::model::Hardware;
@@ -23,8 +23,8 @@ pub struct Node<'a> {
 /// What goes through a node.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fixing {
-    /// Length of the bolt under its head, metres; none if no bolt of the series is long enough.
-    pub bolt: Option<f64>,
+    /// What holds it together; none if no bolt of the series is long enough.
+    pub fastener: Option<Fastener>,
     /// How much is clamped, metres.
     pub stack: f64,
     /// Washers on it.
@@ -44,17 +44,24 @@ impl Node<'_> {
         });
         match support {
             Some(support) => Fixing {
-                bolt: Some(support.bolt_length),
+                fastener: Some(Fastener::Bolt(support.bolt_length)),
                 stack,
                 washers: 1,
                 nuts: 0,
             },
-            None => Fixing {
-                bolt: Series::of(hardware.bolt.diameter).and_then(|s| s.bolt_length(stack).ok()),
-                stack,
-                washers: 2,
-                nuts: 1,
-            },
+            None => {
+                let series = Series::of(hardware.bolt.diameter);
+                let fastener = series.and_then(|s| s.fastener(stack).ok());
+                Fixing {
+                    fastener,
+                    stack,
+                    washers: 2,
+                    nuts: match fastener {
+                        Some(Fastener::Rod(_)) => 2,
+                        _ => 1,
+                    },
+                }
+            }
         }
     }
 }

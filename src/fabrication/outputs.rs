@@ -7,13 +7,14 @@ use super::layout::FlatPatch;
 use super::lints::lints;
 use super::names::{distinct_file_names, file_name, part_file_names};
 use super::nesting::Blank;
+use super::network::NamedQuad;
 use super::part::{Part, PartStyle};
 use super::sheet::{Goodness, Parts, SheetStyle, trim};
 use super::units::MM;
 use super::workbook::{self, Tab};
 use super::{
-    assembly, cladding_plot, coupon, dxf, from_above, hardware, layout, part, pdf, pieces, sheet,
-    stickers, supports, svg, tables,
+    assembly, cladding_plot, coupon, dxf, from_above, hardware, layout, network, part, pdf, pieces,
+    sheet, stickers, supports, svg, tables,
 };
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Severity, Warned};
@@ -66,6 +67,8 @@ pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     take(cladding_files(plan));
     take(layout_files(plan, inputs));
     take(above_files(plan));
+    let quads: Vec<NamedQuad> = plan.patches.iter().map(NamedQuad::of).collect();
+    take(network_files(&plan.name, &quads, plan));
     let by_id: Parts = parts.iter().map(|part| (part.id.as_str(), part)).collect();
     for sheet in &plan.sheets {
         take(sheet_files(plan, sheet, &by_id, inputs));
@@ -292,6 +295,18 @@ pub fn above_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
     let mut files = Files::default();
     let above = from_above::draw(&plan.name, &plan.patches, &plan.members, &plan.points);
     files.picture("layout/from-above", &above);
+    files.finish()
+}
+
+/// The layout from above: its skeleton with names.
+pub fn network_files(
+    name: &str,
+    patches: &[NamedQuad],
+    skeleton: &Plan,
+) -> Checked<Vec<OutputFile>> {
+    let mut files = Files::default();
+    let drawing = network::draw(name, patches, &skeleton.points, &skeleton.edges);
+    files.picture("layout/patches", &drawing);
     files.finish()
 }
 

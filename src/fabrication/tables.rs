@@ -1,6 +1,7 @@
 //! Tables for spreadsheets: UTF-8, comma, line feed, decimal points, units in the headers, rows
 //! in the plan's order.
 
+use super::hardware::Fastener;
 use super::index::PlanIndex;
 use super::nodes::nodes;
 use super::part::short_id;
@@ -302,9 +303,10 @@ fn bolts<'a>(
     let mut bolts = BTreeMap::new();
     for node in nodes(&plan.crossings, index, 0.25 * hardware.bolt.diameter) {
         let fixing = node.fixing(&plan.supports, hardware);
-        let (Some(length), Some(first)) = (fixing.bolt, node.crossings.first()) else {
+        let (Some(fastener), Some(first)) = (fixing.fastener, node.crossings.first()) else {
             continue;
         };
+        let (Fastener::Bolt(length) | Fastener::Rod(length)) = fastener;
         for crossing in &node.crossings {
             bolts.insert(
                 crossing.id.as_str(),

@@ -25,6 +25,8 @@ pub struct Plan {
     pub edges: Vec<EdgeRecord>,
     /// Geodesic quadrilaterals.
     pub patches: Vec<PatchRecord>,
+    /// Families that members run through one after the other.
+    pub strips: Vec<StripRecord>,
     /// Grid curves.
     pub members: Vec<MemberRecord>,
     /// Where a u-member meets a v-member.
@@ -224,6 +226,33 @@ pub struct CladdingFunction {
     /// Largest slope.
     #[serde(serialize_with = "round::share")]
     pub slope_max: f64,
+}
+
+/// Families whose members run on from patch to patch, or depend on each other through T-junctions.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StripRecord {
+    /// Its first family: `west.v`.
+    pub id: String,
+    /// Its families, sorted.
+    pub families: Vec<String>,
+    /// How much more even its members are than if they were even on the side where they begin:
+    /// the sum of squared distances (paper, Problem 3) before, over that after; at least 1.
+    #[serde(serialize_with = "round::share")]
+    pub evenness_gained: f64,
+    /// If its patches go around and meet again.
+    pub ring: Option<RingRecord>,
+}
+
+/// A ring of patches.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RingRecord {
+    /// Whether its members were asked to end where they began.
+    pub closed: bool,
+    /// How far beside its beginning a member ends at most, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub drift: f64,
 }
 
 /// A grid curve.
@@ -654,6 +683,7 @@ impl Default for Plan {
             points: Vec::new(),
             edges: Vec::new(),
             patches: Vec::new(),
+            strips: Vec::new(),
             members: Vec::new(),
             crossings: Vec::new(),
             lamellae: Vec::new(),

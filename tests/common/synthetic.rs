@@ -192,6 +192,7 @@ pub(crate) fn plan(name: &str, patches: &[Patch], section: &Section) -> Plan {
         points: Vec::new(),
         edges: Vec::new(),
         patches: Vec::new(),
+        strips: Vec::new(),
         members: Vec::new(),
         crossings: Vec::new(),
         lamellae: Vec::new(),

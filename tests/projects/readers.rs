@@ -2,7 +2,7 @@
 
 use crate::program::Workshop;
 use crate::python;
-use crate::{PROJECTS, root};
+use crate::{PROJECTS, STRUCTURES, root};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -59,6 +59,11 @@ fn another_exact_solver_confirms_the_plan_of_the_sphere_cap() {
 #[test]
 fn another_exact_solver_confirms_the_plan_of_patches_that_share_sides() {
     assert_eq!(recomputed(PROJECTS[3]), "3 37 114 37 32");
+}
+
+#[test]
+fn another_exact_solver_confirms_the_plan_of_the_pavilion() {
+    assert_eq!(recomputed(STRUCTURES[0]), "2 36 160 36 20");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use crate::fabrication::nesting::{Nest, Settings, nest};
 use crate::fabrication::pieces::blanks;
 use crate::fabrication::splicing::{Rules, Spliced, splice};
 use crate::fabrication::supports::{self, SupportInputs};
-use crate::fabrication::{self as outputs, Inputs, OutputFile, stickers};
+use crate::fabrication::{self as outputs, Inputs, NamedQuad, OutputFile, stickers};
 use crate::plan::{BomRow, Plan, SheetRecord, StickerRecord, SupportRecord, bind, to_ron};
 use crate::project::model::{
     Bolt, Fabrication, Grain, Hardware, Material, Sticker, Stock, Supports,
@@ -230,6 +230,27 @@ pub(in crate::build) const ABOVE_FILES: Stage<String, (Node<Plan>, Vec<Node<Plan
             files(outputs::above_files(&plan))
         },
     };
+
+/// What the drawing of the network is told of patches.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct NetworkDrawingInput {
+    pub(in crate::build) name: String,
+    pub(in crate::build) patches: Vec<NamedQuad>,
+}
+
+/// The layout: anchors, sides and patches from above.
+pub(in crate::build) const NETWORK_FILES: Stage<NetworkDrawingInput, Node<Plan>, Files> = Stage {
+    name: "network-files",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, skeleton, _| {
+        files(outputs::network_files(
+            &input.name,
+            &input.patches,
+            skeleton,
+        ))
+    },
+};
 
 /// Cut files and overviews of all sheets.
 pub(in crate::build) const SHEET_FILES: Stage<DrawingInput, (Vec<Node<Plan>>, Node<Nest>), Files> =

@@ -4,6 +4,7 @@ use super::fabrication::{Foils, equip};
 use super::plain;
 use crate::build::{Node, Numerics, Stage, Warnings};
 use crate::cladding::Clad;
+use crate::diagnostics::without_allowed;
 use crate::fabrication::nesting::Nest;
 use crate::grid::{Crossing, Lamella, Section};
 use crate::layout::{Domain, Side};
@@ -115,6 +116,8 @@ pub(in crate::build) const CHAPTER: Stage<ChapterInput, ChapterNeeds, Plan> = St
 pub(in crate::build) struct PlanInput {
     pub(in crate::build) name: String,
     pub(in crate::build) subjects: Vec<String>,
+    /// Names of lints that are not told.
+    pub(in crate::build) allowed: Vec<String>,
 }
 
 type PlanNeeds = (
@@ -140,6 +143,7 @@ pub(in crate::build) const PLAN: Stage<PlanInput, PlanNeeds, Plan> = Stage {
         plan.nesting = nest.records();
         plan.bill_of_materials.clone_from(bill);
         for (subject, told) in input.subjects.iter().zip(warnings) {
+            let told = without_allowed(told.to_vec(), &input.allowed);
             plan.diagnostics.extend(told.iter().map(|diagnostic| {
                 let mut record = DiagnosticRecord::from(diagnostic);
                 if record.subject.is_none() && !subject.is_empty() {

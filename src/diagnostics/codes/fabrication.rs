@@ -144,7 +144,8 @@ with the project.",
         name: "bolt-series",
         title: "no standard series for this bolt",
         text: "The bill of materials picks bolt lengths, nuts and washers from the metric \
-series M2, M2.5, M3, M4, M5, M6, M8, M10 and M12 (ISO 7380, DIN 985, ISO 7093). Choose one of them.",
+series M2, M2.5, M3, M4, M5, M6, M8, M10, M12, M14, M16, M20, M24 and M30 (ISO 7380, above M12 ISO \
+4014; DIN 985, ISO 7093). Choose one of them.",
     },
     CodeInfo {
         code: "E0708",
@@ -152,7 +153,7 @@ series M2, M2.5, M3, M4, M5, M6, M8, M10 and M12 (ISO 7380, DIN 985, ISO 7093). 
         title: "no bolt of the series is long enough",
         text: "At a connection the bolt goes through every lamella that meets there, two washers \
 and the nut. The longest bolt of the series is shorter than that. Choose thinner lamellae or a \
-larger bolt.",
+larger bolt; from M8 on, threaded rod is cut to length instead.",
     },
     CodeInfo {
         code: "E0709",
