@@ -8,7 +8,8 @@
 //!
 //! - the square of the lamella's curvature there, and half that of its twist, both in shares of
 //!   the largest on the lamella ([`curve`]): bending stress grows with curvature;
-//! - nearness of its middle to an opening, up to twice the width or 30 mm;
+//! - ten times the square of its nearness to an opening, from the middle of the joint up to twice
+//!   the width or 30 mm;
 //! - nearness in space to the joints of other lamellae, up to one and a half cells of the grid:
 //!   two joints side by side make a hinge. Where patches meet, the boundary lamellae of both are
 //!   staggered in this way as well.
@@ -77,7 +78,9 @@ const NEAR: f64 = 0.03;
 const STAGGER_IN_CELLS: f64 = 1.5;
 /// Least distance of two joints of a lamella in widths.
 const APART_IN_WIDTHS: f64 = 4.0;
-/// What twist counts of what bending does, and joints side by side.
+/// What nearness to an opening counts against the largest bending: as good as a ban, where there
+/// is another place. What twist and joints side by side count.
+const CROSSING: f64 = 10.0;
 const TWIST: f64 = 0.5;
 const STAGGER: f64 = 2.0;
 
@@ -231,7 +234,7 @@ impl<'a> Site<'a> {
         let s = self.on_member(x);
         let bend = square(self.curve.bend(s, self.chord) / self.bend_max);
         let twist = TWIST * square(self.curve.twist(s) / self.twist_max);
-        let near = square((1.0 - self.clear(x) / self.near).max(0.0));
+        let near = CROSSING * square((1.0 - self.clear(x) / self.near).max(0.0));
         let place = self.place(x);
         let beside: f64 = joints
             .iter()
