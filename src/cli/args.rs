@@ -43,7 +43,8 @@ pub(super) struct Global {
     /// Output directory; `build/NAME` beside the project file where unsaid
     #[arg(long, global = true, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(super) out: Option<PathBuf>,
-    /// Directory of the cache; `EGG_CACHE_DIR` or the user's cache directory where unsaid
+    /// Directory of the cache; `EGG_CACHE_DIR`, the user's configuration or cache directory where
+    /// unsaid
     #[arg(long, global = true, value_name = "DIR", value_hint = ValueHint::DirPath)]
     pub(super) cache_dir: Option<PathBuf>,
 }

@@ -6,6 +6,7 @@ use crate::diagnostics::render::{Source, Sources};
 use crate::diagnostics::{Code, Diagnostic, File, Label, Place};
 use crate::project::model::Project;
 use crate::project::{Capability, Loaded, Notation, decode, load, unbuilt};
+use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -97,6 +98,24 @@ impl Opened {
         let before = self.text.get(..start)?;
         let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
         Some(format!("{}:{line}", self.path.display()))
+    }
+
+    /// The lines of the project file on which these keys stand, each once and in their order:
+    /// `pavilion.toml:31  alpha = 40`. A key that the file leaves at its default has no line.
+    pub(super) fn lines_of<'a>(&self, keys: impl Iterator<Item = &'a str>) -> Vec<String> {
+        let lines: BTreeSet<usize> = keys
+            .filter_map(|key| self.loaded.spans.stands(key))
+            .filter_map(|place| self.text.get(..place.start))
+            .map(|before| before.matches('\n').count())
+            .collect();
+        let texts: Vec<&str> = self.text.lines().collect();
+        lines
+            .into_iter()
+            .filter_map(|line| {
+                let text = texts.get(line)?.trim();
+                Some(format!("  {}:{}  {text}", self.path.display(), line + 1))
+            })
+            .collect()
     }
 
     /// The folder of the project file.

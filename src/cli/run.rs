@@ -2,6 +2,7 @@
 
 use super::args::Global;
 use super::commands::cache;
+use super::config::Config;
 use super::console::Console;
 use super::design::{Opened, unreadable_mesh};
 use super::exit::Exit;
@@ -136,8 +137,10 @@ fn output_directory(global: &Global, opened: &Opened, project: &Project) -> Path
 }
 
 fn settings(console: Console, global: &Global, output: &std::path::Path) -> Result<Settings, Exit> {
-    let cache = cache::directory(console, global)?;
+    let config = Config::read(console)?;
+    let cache = cache::directory(console, global, &config)?;
     let mut settings = Settings::new(cache, output);
+    settings.limits = config.limits();
     if let Some(jobs) = global.jobs {
         settings.jobs = jobs.into();
     }

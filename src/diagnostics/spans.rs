@@ -48,6 +48,18 @@ impl SpanTable {
         self.places.contains_key(path)
     }
 
+    /// Where the value at this path stands, or the nearest one that it is a part of; `None` where
+    /// that is a whole table, so that the file says nothing about it.
+    pub fn stands(&self, path: &str) -> Option<Range<usize>> {
+        let (found, spans) = self.nearest(path)?;
+        let inside = format!("{found}.");
+        let mut after = self.places.range(inside.clone()..);
+        let holds_keys = after
+            .next()
+            .is_some_and(|(next, _)| next.starts_with(&inside));
+        (found == path || !holds_keys).then(|| spans.value.clone())
+    }
+
     /// Whether the file says anything at this path or at one of its ancestors; it always does at
     /// the root.
     pub fn reaches(&self, path: &str) -> bool {
@@ -97,6 +109,9 @@ mod tests {
         assert_eq!(table.value("patches.west.members.u"), 9..15);
         assert_eq!(table.name("patches.west.members.u"), 9..15);
         assert_eq!(table.value("lamella.width"), 90..90);
+        assert_eq!(table.stands("patches.west.alpha.x"), Some(28..30));
+        assert_eq!(table.stands("patches.west"), Some(9..15));
+        assert_eq!(table.stands("patches.west.members.u"), None);
         assert!(table.reaches("patches.west.alpha.x") && table.reaches(""));
         assert!(!table.reaches("lamella.width"));
     }

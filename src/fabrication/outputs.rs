@@ -13,7 +13,7 @@ use super::units::MM;
 use super::{cladding_plot, dxf, from_above, hardware, layout, network, part, sheet, svg, tables};
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Severity, Warned};
-use crate::plan::{LamellaRecord, OpeningRecord, Plan, SheetRecord};
+use crate::plan::{LamellaRecord, OpeningRecord, Plan, SheetRecord, cladding_to_ron};
 use crate::project::model::{Fabrication, Grain, Hardware, Material};
 
 /// A file to write.
@@ -205,7 +205,7 @@ pub fn network_files(
     files.finish()
 }
 
-/// The cladding functions of every patch.
+/// The cladding functions of every patch, as a plot and as a document.
 pub fn cladding_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
     let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
     let mut files = Files::default();
@@ -213,6 +213,8 @@ pub fn cladding_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
         let members = plan.members.iter().filter(|m| m.patch == patch.id);
         let drawing = cladding_plot::draw(patch, &members.collect::<Vec<_>>());
         files.picture(&format!("cladding/{name}"), &drawing);
+        let document = cladding_to_ron(plan, patch).into_bytes();
+        files.add(&format!("cladding/{name}"), "ron", Ok(document));
     }
     files.finish()
 }

@@ -58,6 +58,14 @@ impl Numbers for [f64; 3] {
     }
 }
 
+impl Numbers for [f64; 4] {
+    type Rounded = [f64; 4];
+
+    fn map(&self, f: &dyn Fn(f64) -> f64) -> Self::Rounded {
+        self.each_ref().map(|x| x.map(f))
+    }
+}
+
 impl Numbers for [[f64; 2]; 4] {
     type Rounded = [[f64; 2]; 4];
 

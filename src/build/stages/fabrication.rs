@@ -105,10 +105,10 @@ pub(in crate::build) const WORKSHOP: Stage<DrawingInput, Node<Plan>, ()> = Stage
     run: |input, chapter, _| outcome(outputs::check(chapter, input.inputs())),
 };
 
-/// Plots of the cladding functions of a patch.
+/// The cladding functions of a patch, as a plot and as a document.
 pub(in crate::build) const CLADDING_FILES: Stage<(), Node<Plan>, Files> = Stage {
     name: "cladding-files",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |(), chapter, _| files(outputs::cladding_files(chapter)),
 };

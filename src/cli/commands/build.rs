@@ -124,7 +124,11 @@ pub(in crate::cli) fn dry_run(
                 reason: "stage-planned",
                 stage: &stage.instance.stage,
                 target: &stage.instance.target,
-                state: &stage.state,
+                state: stage.state.word(),
+                after: match &stage.state {
+                    State::Maybe { after } => after.iter().map(ToString::to_string).collect(),
+                    _ => Vec::new(),
+                },
                 reasons: &stage.reasons,
             });
         }
@@ -139,7 +143,9 @@ struct StagePlanned<'a> {
     reason: &'static str,
     stage: &'a str,
     target: &'a str,
-    state: &'a State,
+    state: &'static str,
+    /// What decides whether it runs, where that is not known yet.
+    after: Vec<String>,
     reasons: &'a [crate::build::Reason],
 }
 
