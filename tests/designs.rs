@@ -54,7 +54,8 @@ fn every_wrong_layout_is_reported_as_its_golden_text_says() {
     assert!(all.len() >= 25, "{}", all.len());
     let mut shown: BTreeSet<String> = BTreeSet::new();
     for (name, ran) in &all {
-        assert_eq!(ran.out, "", "{name}");
+        // The table of criteria, unless nothing is known of any patch.
+        assert!(ran.out.is_empty() || ran.out.starts_with("patch"), "{name}");
         let told = |prefix: &str| ran.err.lines().any(|line| line.starts_with(prefix));
         let (errors, lints) = (told("error["), told("warning["));
         assert!(errors || lints, "{name}: {}", ran.err);

@@ -84,6 +84,20 @@ impl SpanTable {
         }
     }
 
+    /// Paths of all values that hold no others, in order, with where they stand.
+    pub fn leaves(&self) -> impl Iterator<Item = (&str, Range<usize>)> {
+        let holds = |path: &String| {
+            let below = self.places.range(path.clone()..).skip(1);
+            below
+                .map_while(|(other, _)| other.strip_prefix(path.as_str()))
+                .any(|rest| rest.starts_with(['.', '[']))
+        };
+        self.places
+            .iter()
+            .filter(move |(path, _)| !holds(path))
+            .map(|(path, spans)| (&**path, spans.value.clone()))
+    }
+
     fn nearest<'a>(&self, path: &'a str) -> Option<(&'a str, &Spans)> {
         let mut path = path;
         loop {
@@ -114,5 +128,7 @@ mod tests {
         assert_eq!(table.stands("patches.west.members.u"), None);
         assert!(table.reaches("patches.west.alpha.x") && table.reaches(""));
         assert!(!table.reaches("lamella.width"));
+        let leaves: Vec<&str> = table.leaves().map(|(path, _)| path).collect();
+        assert_eq!(leaves, ["patches.west.alpha"]);
     }
 }

@@ -4,7 +4,7 @@ use crate::current;
 use crate::figures;
 use crate::picture;
 use egg::build::graph::{Design, Extent, declare};
-use egg::build::{CancelToken, Engine, Graph, Request, Settings};
+use egg::build::{CancelToken, Engine, Request, Settings};
 use egg::plan::{Plan, from_ron};
 use egg::project::{Notation, load};
 use std::fs;
@@ -36,7 +36,7 @@ fn build(name: &str) -> Built {
     };
     let built = engine.build(
         &Request::default(),
-        &|graph: &mut Graph<'_>| declare(graph, design, Extent::Files),
+        &|graph| declare(graph, design, Extent::Files),
         &CancelToken::default(),
         &mut |_| {},
     );

@@ -29,8 +29,15 @@ fn build(shop: &Workshop, project: &Path, [cache, out, jobs]: [&str; 3], finishe
         ])
         .expect(0);
     assert_eq!(ran.out, "");
-    assert_eq!(ran.err.lines().count(), 1, "{}", ran.err);
-    assert!(ran.err.trim_start().starts_with("Finished "), "{}", ran.err);
+    let lines: Vec<&str> = ran.err.lines().map(str::trim_start).collect();
+    let (last, nested) = lines.split_last().expect("a summary");
+    let is_nested = |line: &&str| line.starts_with("Nested ");
+    assert!(
+        !nested.is_empty() && nested.iter().all(is_nested),
+        "{}",
+        ran.err
+    );
+    assert!(last.starts_with("Finished "), "{}", ran.err);
     assert!(ran.err.contains(finished), "{}", ran.err);
     let mut found = files(&shop.path(out));
     assert!(found.remove(".egg-manifest").is_some());
@@ -92,7 +99,19 @@ fn prove(name: &str) {
     let exported = with(&["export", "--format", "ron"]);
     assert!(exported.out.as_bytes() == first["plan.ron"].as_slice());
     let checked = with(&["check"]);
-    assert_eq!(checked.out, "");
+    // A head, a row a patch, the limits.
+    assert_eq!(checked.out.lines().count(), plan.patches.len() + 2);
+    for patch in &plan.patches {
+        let row = checked
+            .out
+            .lines()
+            .find(|row| row.split_whitespace().next() == Some(&patch.id));
+        assert!(
+            row.is_some_and(|row| row.ends_with("feasible")),
+            "{}",
+            checked.out
+        );
+    }
     assert_eq!(checked.err, format!("     Checked {}\n", plan.name));
 
     holds(&plan, &model(&project));
