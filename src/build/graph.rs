@@ -28,14 +28,22 @@
 //! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
 //! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |
 //! | `chapter` | patch | names, material | the patch's results |
+//! | `splices` | structure | splice, stock, bed, margins, bolt, clearance, grain, stiffness, strength | chapters |
+//! | `spliced` | patch | | `chapter`, `splices` |
 //! | `workshop` | patch | hardware, fabrication, materials | `chapter` |
 //! | `nest` | structure | stock, bed, margins, kerf, grain | chapters |
-//! | `bill` | structure | hardware, materials, prices | chapters, `nest` |
-//! | `plan` | structure | name | skeleton, chapters, `nest`, `bill` |
-//! | `*-files` | patch or structure | what the drawings show | chapters, `nest`, `bill` |
+//! | `stickers` | structure | `hardware.sticker` | chapters |
+//! | `supports` | structure | `supports`, bolt | skeleton, chapters |
+//! | `bill` | structure | hardware, materials, prices | chapters, `nest`, `stickers`, `supports` |
+//! | `plan` | structure | name | skeleton, chapters, `nest`, `stickers`, `supports`, `bill` |
+//! | `*-files` | patch or structure | what the drawings show | chapters and what is drawn |
+//!
+//! `splices` and `spliced` are there where the project asks for joints; what needs chapters then
+//! has the spliced ones.
 //!
 //! Names of points and patches are targets of instances, not inputs, up to judgements and chapters
-//! (and of `split`, which makes new ones): a patch that is renamed keeps its geometry. Points and patches are declared by name, so their order in
+//! (and of `split`, which makes new ones): a patch that is renamed keeps its geometry. Points and
+//! patches are declared by name, so their order in
 //! the file does not matter either.
 
 use super::passages::{count, family_target, strip_groups};
@@ -44,8 +52,10 @@ use super::stages::cladding::{
     FEASIBILITY, FeasibilityInput, JUDGEMENT, SIDES,
 };
 use super::stages::fabrication::{
-    ABOVE_FILES, BILL, BillInput, CLADDING_FILES, DrawingInput, LAYOUT_FILES, NEST, NETWORK_FILES,
-    NestInput, NetworkDrawingInput, PLAN_FILE, SHEET_FILES, TABLE_FILES, WORKSHOP,
+    ABOVE_FILES, BILL, BillInput, CLADDING_FILES, COUPON_FILES, CouponInput, DrawingInput,
+    LAYOUT_FILES, NEST, NETWORK_FILES, NestInput, NetworkDrawingInput, PART_FILES, PLAN_FILE,
+    SHEET_FILES, SPLICED, SPLICES, STICKER_FILES, STICKERS, SUPPORT_FILES, SUPPORTS, SupportInput,
+    TABLE_FILES, WORKSHOP,
 };
 use super::stages::layout::{
     ANCHOR, ANCHORS, Anchors, LINE, NETWORK, NetworkInput, PATCH, PatchInput, STATION,
@@ -64,7 +74,9 @@ use super::{Built, Graph, Node, SourceFile, Warnings};
 use crate::cladding::{AngleChoice, Clad};
 use crate::diagnostics::{KeyPath, SpanTable};
 use crate::fabrication::NamedQuad;
+use crate::fabrication::coupon::{self, CouponSection};
 use crate::fabrication::nesting::Settings;
+use crate::fabrication::splicing::{self, Rules};
 use crate::grid::Section;
 use crate::layout::{Domain, Network, Side, SidePiece, edge_id};
 use crate::members::Member;
@@ -248,6 +260,8 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
         .map(|(i, patch)| chapter(graph, &basis, patch, i, &planned[i], &members, told))
         .collect();
 
+    let chapters = spliced(graph, project, &patches, chapters, told);
+
     let drawing = || DrawingInput {
         name: project.name.clone(),
         hardware: project.hardware.clone(),
@@ -274,10 +288,30 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
                 .map(|m| (m.name.clone(), m.grain))
                 .collect(),
         },
-        (chapters.clone(), workshops),
+        (chapters.clone(), workshops.clone()),
     );
     graph.origin(nest, "settings", "fabrication");
     told.push((String::new(), nest.warnings()));
+    let foils = graph.add(
+        &STICKERS,
+        "",
+        project.hardware.sticker.clone(),
+        (chapters.clone(), workshops.clone()),
+    );
+    graph.origin(foils, "", "hardware.sticker");
+    told.push((String::new(), foils.warnings()));
+    let supports = graph.add(
+        &SUPPORTS,
+        "",
+        SupportInput {
+            supports: project.supports.clone(),
+            bolt: project.hardware.bolt.clone(),
+        },
+        (skeleton, chapters.clone(), workshops),
+    );
+    graph.origin(supports, "supports", "supports");
+    graph.origin(supports, "bolt", "hardware.bolt");
+    told.push((String::new(), supports.warnings()));
     let bill = graph.add(
         &BILL,
         "",
@@ -286,7 +320,7 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
             materials: project.materials.clone(),
             stock: project.fabrication.stock.clone(),
         },
-        (chapters.clone(), nest),
+        (chapters.clone(), nest, foils, supports),
     );
     graph.origin(bill, "hardware", "hardware");
     graph.origin(bill, "stock", "fabrication.stock");
@@ -304,6 +338,8 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
             skeleton,
             chapters.iter().copied().chain(strips).collect(),
             nest,
+            foils,
+            supports,
             bill,
             warnings,
         ),
@@ -327,7 +363,15 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
         let flat = graph.add(&LAYOUT_FILES, &patch.name, drawing(), *chapter);
         drawing_origins(graph, flat);
         graph.publish(flat);
+        let parts = graph.add(&PART_FILES, &patch.name, drawing(), *chapter);
+        drawing_origins(graph, parts);
+        graph.publish(parts);
     }
+    let coupon = graph.add(&COUPON_FILES, "", coupon(project), ());
+    graph.origin(coupon, "sections", "lamella");
+    graph.origin(coupon, "hardware", "hardware");
+    graph.origin(coupon, "fabrication", "fabrication");
+    graph.publish(coupon);
     let above = graph.add(
         &ABOVE_FILES,
         "",
@@ -352,9 +396,79 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
     let sheets = graph.add(&SHEET_FILES, "", drawing(), (chapters.clone(), nest));
     drawing_origins(graph, sheets);
     graph.publish(sheets);
-    let tables = graph.add(&TABLE_FILES, "", drawing(), (chapters, nest, bill));
+    let stickers = graph.add(&STICKER_FILES, "", drawing(), foils);
+    drawing_origins(graph, stickers);
+    graph.publish(stickers);
+    let needs = (skeleton, chapters, supports);
+    let feet = graph.add(&SUPPORT_FILES, "", drawing(), needs);
+    drawing_origins(graph, feet);
+    graph.publish(feet);
+    let tables = graph.add(&TABLE_FILES, "", drawing(), plan);
     drawing_origins(graph, tables);
     graph.publish(tables);
+}
+
+/// What test pieces a project needs.
+fn coupon(project: &Project) -> CouponInput {
+    let mut sections: Vec<CouponSection> = project
+        .patches
+        .iter()
+        .map(|patch| CouponSection {
+            material: patch.lamella.material.clone(),
+            thickness: patch.lamella.thickness,
+        })
+        .collect();
+    coupon::sort(&mut sections);
+    CouponInput {
+        sections,
+        hardware: project.hardware.clone(),
+        fabrication: project.fabrication.clone(),
+    }
+}
+
+/// Chapters with the pieces of lamellae that are longer than the stock, where the project allows
+/// joints.
+fn spliced(
+    graph: &mut Graph<'_>,
+    project: &Project,
+    patches: &[Patch],
+    chapters: Vec<Node<Plan>>,
+    told: &mut Vec<(String, Warnings)>,
+) -> Vec<Node<Plan>> {
+    let Some(kind) = project.fabrication.splice else {
+        return chapters;
+    };
+    let settings = Settings::new(&project.fabrication);
+    let rules = Rules {
+        kind,
+        bolt: project.hardware.bolt.diameter,
+        clearance: project.fabrication.clearance,
+        stock: project
+            .materials
+            .iter()
+            .map(|m| splicing::Stock {
+                material: m.name.clone(),
+                longest: settings.longest(m.grain),
+                elastic_modulus: m.elastic_modulus,
+                bending_strength: m.bending_strength,
+            })
+            .collect(),
+    };
+    let splices = graph.add(&SPLICES, "", rules, chapters.clone());
+    for (field, key) in [
+        ("kind", "fabrication.splice"),
+        ("stock", "fabrication.stock"),
+        ("bolt", "hardware.bolt"),
+        ("clearance", "fabrication.clearance"),
+    ] {
+        graph.origin(splices, field, key);
+    }
+    told.push((String::new(), splices.warnings()));
+    patches
+        .iter()
+        .zip(chapters)
+        .map(|(patch, chapter)| graph.add(&SPLICED, &patch.name, (), (chapter, splices)))
+        .collect()
 }
 
 /// The plan of a finished build.

@@ -1,8 +1,8 @@
 //! The terminal: the only place of the program that prints.
 
 use super::args::{ColorWhen, Global, MessageFormat};
-use crate::diagnostics::render::{Sources, Style, human, json_lines, printable};
-use crate::diagnostics::{Diagnostic, Severity};
+use crate::diagnostics::render::{Source, Sources, Style, human, json_lines, printable};
+use crate::diagnostics::{Diagnostic, Severity, SpanTable};
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
 
@@ -11,10 +11,14 @@ use std::io::{self, IsTerminal, Write};
 pub(super) struct Console {
     format: MessageFormat,
     style: Style,
+    /// The style of results, on standard output.
+    results: Style,
     quiet: bool,
     terminal: bool,
     /// Standard output holds a document, so that records for programs go to standard error.
     document: bool,
+    /// Of diagnostics only errors are told.
+    errors_only: bool,
 }
 
 impl Console {
@@ -23,9 +27,11 @@ impl Console {
         Self {
             format: global.message_format,
             style: style(global.color, terminal),
+            results: style(global.color, io::stdout().is_terminal()),
             quiet: global.quiet,
             terminal,
             document: false,
+            errors_only: false,
         }
     }
 
@@ -35,6 +41,31 @@ impl Console {
             document: true,
             ..self
         }
+    }
+
+    /// The same for a command that looks at a project without judging it.
+    pub(super) fn with_errors_only(self) -> Self {
+        Self {
+            errors_only: true,
+            ..self
+        }
+    }
+
+    /// Whether standard output is a terminal in which colours are wanted.
+    pub(super) fn colours_results(self) -> bool {
+        self.results == Style::Colour
+    }
+
+    /// Tells diagnostics that are about no file.
+    pub(super) fn tell_plainly(self, diagnostics: &[Diagnostic]) {
+        let spans = SpanTable::default();
+        let nowhere = Source { name: "", text: "" };
+        let sources = Sources {
+            project: nowhere,
+            spans: &spans,
+            mesh: None,
+        };
+        self.tell(diagnostics, &sources);
     }
 
     /// Whether a progress bar can be drawn and is wanted.
@@ -55,7 +86,7 @@ impl Console {
     pub(super) fn tell(self, diagnostics: &[Diagnostic], sources: &Sources<'_>) {
         let wanted: Vec<Diagnostic> = diagnostics
             .iter()
-            .filter(|d| !self.quiet || d.severity == Severity::Error)
+            .filter(|d| !(self.quiet || self.errors_only) || d.severity == Severity::Error)
             .cloned()
             .collect();
         match self.format {

@@ -2,6 +2,7 @@
 
 use super::args::Global;
 use super::commands::cache;
+use super::config::Config;
 use super::console::Console;
 use super::design::{Opened, unreadable_mesh};
 use super::exit::Exit;
@@ -49,10 +50,40 @@ impl Job {
         })
     }
 
+    /// Prepares an engine for a project whose mesh is at hand and that publishes nothing; `memory`
+    /// names what the cache remembers of it.
+    pub(super) fn detached(
+        console: Console,
+        global: &Global,
+        opened: Opened,
+        mesh: SourceFile,
+        memory: PathBuf,
+    ) -> Result<Self, Exit> {
+        opened.tell(console, &opened.loaded.diagnostics);
+        opened.project()?;
+        Ok(Self {
+            engine: Engine::open(settings(console, global, &memory)?),
+            opened,
+            output: memory,
+            mesh,
+            console,
+        })
+    }
+
     /// Builds up to an extent; tells diagnostics.
     pub(super) fn build(&mut self, request: &Request, extent: Extent) -> Result<Built, Exit> {
         let cancel = interrupt::token();
         let progress = Progress::new(self.console);
+        // A graph that ends with the plan publishes nothing, and files of an earlier build stay:
+        // asked for as a whole, it would seem that nothing makes them any more.
+        let partial = Request {
+            stages: vec!["plan".to_owned()],
+            ..request.clone()
+        };
+        let request = match extent {
+            Extent::Plan if request.is_whole() => &partial,
+            _ => request,
+        };
         let (opened, mesh) = (&self.opened, &self.mesh);
         let project = opened.project()?;
         let design = Design {
@@ -127,7 +158,7 @@ impl Job {
     }
 }
 
-fn output_directory(global: &Global, opened: &Opened, project: &Project) -> PathBuf {
+pub(super) fn output_directory(global: &Global, opened: &Opened, project: &Project) -> PathBuf {
     let folder = crate::fabrication::names::file_name(&project.name);
     global
         .out
@@ -136,8 +167,10 @@ fn output_directory(global: &Global, opened: &Opened, project: &Project) -> Path
 }
 
 fn settings(console: Console, global: &Global, output: &std::path::Path) -> Result<Settings, Exit> {
-    let cache = cache::directory(console, global)?;
+    let config = Config::read(console)?;
+    let cache = cache::directory(console, global, &config)?;
     let mut settings = Settings::new(cache, output);
+    settings.limits = config.limits();
     if let Some(jobs) = global.jobs {
         settings.jobs = jobs.into();
     }

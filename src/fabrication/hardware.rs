@@ -254,12 +254,16 @@ impl Series {
     /// and the nut with two threads to spare.
     pub fn bolt_length(&self, stack: f64) -> Result<f64, f64> {
         let need = stack * MM + 2.0 * self.washer[2] + self.nut[1] + FREE_THREADS * self.pitch;
+        self.length_of(need / MM).ok_or(need / MM)
+    }
+
+    /// Shortest bolt that is at least so long under the head, metres.
+    pub fn length_of(&self, need: f64) -> Option<f64> {
         LENGTHS
             .into_iter()
             .filter(|length| (self.lengths[0]..=self.lengths[1]).contains(length))
-            .find(|length| *length >= need - 1e-9)
+            .find(|length| *length >= need * MM - 1e-9)
             .map(|length| length / MM)
-            .ok_or(need / MM)
     }
 
     /// What holds a stack of lamellae and foils, metres: the shortest bolt, or rod where no bolt
@@ -320,6 +324,9 @@ pub fn tube_mass_per_metre(shell: &Shell) -> Option<f64> {
 /// nominal diameter slides over them.
 const FIT: f64 = 1e-6;
 
+/// Bores that are wider than the bolt by more than this leave the shell askew, metres.
+const LOOSE: f64 = 0.5e-3;
+
 /// Hardware that cannot be bought or does not go together.
 pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
     let mut errors = Vec::new();
@@ -349,6 +356,24 @@ pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
                 .at_key("hardware.shell", "too narrow")
                 .help(format!(
                     "a tube with a bore of {:.1} mm slides over the bolt",
+                    hardware.bolt.diameter * MM + 0.1
+                )),
+            );
+        } else if bore > hardware.bolt.diameter + LOOSE + FIT {
+            errors.push(
+                Diagnostic::warning(
+                    codes::SHELL_LOOSE,
+                    format!(
+                        "the shell `{}` has a bore of {:.2} mm, {:.2} mm wider than the bolt {}",
+                        shell.name,
+                        bore * MM,
+                        (bore - hardware.bolt.diameter) * MM,
+                        hardware.bolt.name
+                    ),
+                )
+                .at_key("hardware.shell", "loose")
+                .help(format!(
+                    "a tube with a bore of {:.1} mm stands straight on the bolt",
                     hardware.bolt.diameter * MM + 0.1
                 )),
             );

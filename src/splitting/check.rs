@@ -209,7 +209,9 @@ fn against(angles: &AngleChoice, criteria: &Criteria) -> Vec<&'static str> {
             let mut bunching = surveyed.unwrap_or_default();
             bunching[*family as usize] = true;
             let names = ["slope u", "slope v"].into_iter().zip(bunching);
-            names.filter_map(|(name, bunches)| bunches.then_some(name)).collect()
+            names
+                .filter_map(|(name, bunches)| bunches.then_some(name))
+                .collect()
         }
     }
 }

@@ -1,6 +1,6 @@
 //! The figures of a plan as a table.
 
-use egg::plan::{MemberRecord, OpeningRecord, PatchRecord, Plan, SheetRecord};
+use egg::plan::{MemberRecord, NestingRecord, OpeningRecord, PatchRecord, Plan, SheetRecord};
 use std::fmt::Write;
 
 /// A table of two columns for a project's README.
@@ -258,6 +258,8 @@ fn parts(plan: &Plan, rows: &mut Vec<Row>) {
         }
     };
     rows.push(("sheets".into(), told.join("; ")));
+    let nesting: Vec<String> = plan.nesting.iter().map(nesting).collect();
+    rows.push(("nesting".into(), nesting.join("; ")));
 }
 
 fn sheet(sheet: &SheetRecord) -> String {
@@ -267,6 +269,17 @@ fn sheet(sheet: &SheetRecord) -> String {
         short(1e3 * sheet.width),
         sheet.parts.len(),
         1e2 * sheet.yield_share
+    )
+}
+
+fn nesting(group: &NestingRecord) -> String {
+    let plural = if group.sheets == 1 { "" } else { "s" };
+    format!(
+        "{} sheet{plural}, {} at least; {:.1} % yield, {:.1} % at most",
+        group.sheets,
+        group.sheets_bound,
+        1e2 * group.yield_share,
+        1e2 * group.yield_bound
     )
 }
 

@@ -1,10 +1,10 @@
 //! Builds of the projects: they succeed, and always write the same.
 
-use crate::conditions;
 use crate::program::{Workshop, files};
 use crate::{PROJECTS, STRUCTURES, root};
+use crate::{conditions, evenness};
 use egg::plan::{Plan, from_ron, to_json, to_ron};
-use egg::project::model::Project;
+use egg::project::model::{Family, Project};
 use egg::project::{Notation, load};
 use std::collections::BTreeMap;
 use std::fs;
@@ -29,8 +29,15 @@ fn build(shop: &Workshop, project: &Path, [cache, out, jobs]: [&str; 3], finishe
         ])
         .expect(0);
     assert_eq!(ran.out, "");
-    assert_eq!(ran.err.lines().count(), 1, "{}", ran.err);
-    assert!(ran.err.trim_start().starts_with("Finished "), "{}", ran.err);
+    let lines: Vec<&str> = ran.err.lines().map(str::trim_start).collect();
+    let (last, nested) = lines.split_last().expect("a summary");
+    let is_nested = |line: &&str| line.starts_with("Nested ");
+    assert!(
+        !nested.is_empty() && nested.iter().all(is_nested),
+        "{}",
+        ran.err
+    );
+    assert!(last.starts_with("Finished "), "{}", ran.err);
     assert!(ran.err.contains(finished), "{}", ran.err);
     let mut found = files(&shop.path(out));
     assert!(found.remove(".egg-manifest").is_some());
@@ -143,6 +150,7 @@ fn the_pavilion_keeps_the_conditions_of_a_plan() {
     let plan = plan_holds(STRUCTURES[0]);
     let common = plan.strips.iter().find(|strip| strip.id == "east.v");
     assert_eq!(common.expect("a strip").families, ["east.v", "west.v"]);
+    evenness::is_stationary(&plan, ["west", "east"], Family::V);
 }
 
 #[test]

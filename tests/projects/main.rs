@@ -3,6 +3,7 @@
 
 mod builds;
 mod conditions;
+mod evenness;
 mod geometry;
 #[path = "../common/program.rs"]
 mod program;

@@ -22,7 +22,7 @@ pub(in crate::build) type Anchors = BTreeMap<String, SurfacePoint>;
 pub(in crate::build) const ANCHORS: Stage<Vec<(String, Anchor)>, Node<SurfaceMesh>, Anchors> =
     Stage {
         name: "anchors",
-        version: 1,
+        version: 2,
         numerics: Numerics::Portable,
         run: |anchors, surface, _| {
             let Warned { value, warnings } =

@@ -1,5 +1,6 @@
 //! Chapters of the plan, and the plan.
 
+use super::fabrication::{Foils, equip};
 use super::plain;
 use crate::build::{Node, Numerics, Stage, Warnings};
 use crate::cladding::Clad;
@@ -9,8 +10,8 @@ use crate::grid::{Crossing, Lamella, Section};
 use crate::layout::{Domain, Side};
 use crate::members::Member;
 use crate::plan::{
-    BomRow, DiagnosticRecord, EdgePiece, PatchNames, PatchResults, Plan, bind, patch_chapter,
-    skeleton_chapter,
+    BomRow, DiagnosticRecord, EdgePiece, PatchNames, PatchResults, Plan, SupportRecord, bind,
+    patch_chapter, skeleton_chapter,
 };
 use crate::splitting::Feasibility;
 use crate::surface::{Curvature, SurfaceMesh, SurfacePoint};
@@ -43,7 +44,7 @@ type SkeletonNeeds = (
 /// Surface, points and edges.
 pub(in crate::build) const SKELETON: Stage<SkeletonInput, SkeletonNeeds, Plan> = Stage {
     name: "skeleton",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (surface, curvature, points, lines), _| {
         let points = input
@@ -87,7 +88,7 @@ type ChapterNeeds = (
 /// All records of a patch.
 pub(in crate::build) const CHAPTER: Stage<ChapterInput, ChapterNeeds, Plan> = Stage {
     name: "chapter",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (domain, clad, feasibility, feasible, u, v, crossings, lamellae), _| {
         let names = PatchNames {
@@ -123,6 +124,8 @@ type PlanNeeds = (
     Node<Plan>,
     Vec<Node<Plan>>,
     Node<Nest>,
+    Node<Foils>,
+    Node<Vec<SupportRecord>>,
     Node<Vec<BomRow>>,
     Vec<Warnings>,
 );
@@ -130,12 +133,14 @@ type PlanNeeds = (
 /// The plan.
 pub(in crate::build) const PLAN: Stage<PlanInput, PlanNeeds, Plan> = Stage {
     name: "plan",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
-    run: |input, (skeleton, chapters, nest, bill, warnings), _| {
+    run: |input, (skeleton, chapters, nest, foils, supports, bill, warnings), _| {
         let all = std::iter::once(skeleton).chain(chapters);
         let mut plan = bind(&input.name, all);
         plan.sheets.clone_from(&nest.sheets);
+        equip(&mut plan, foils, supports);
+        plan.nesting = nest.records();
         plan.bill_of_materials.clone_from(bill);
         for (subject, told) in input.subjects.iter().zip(warnings) {
             let told = without_allowed(told.to_vec(), &input.allowed);

@@ -6,6 +6,7 @@
 mod build;
 pub mod cladding;
 mod cli;
+pub mod diff;
 pub mod fabrication;
 pub mod grid;
 pub mod layout;
@@ -80,6 +81,7 @@ pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
         grid::CODES,
         fabrication::CODES,
         build::CODES,
+        diff::CODES,
         cli::CODES,
     ]
     .into_iter()
