@@ -18,7 +18,8 @@
 //! | `cladding` | patch | the same, `alpha` | `sides`, `distances`, `angles` |
 //! | `feasibility` | patch | `split.slope` | `surface`, `curvature`, `patch`, `distances` |
 //! | `judgement` | patch | `split`, names for proposals | `feasibility`, `angles`, `cladding` |
-//! | `check` | patch | the same, `members` | `patch`, `feasibility`, `angles`, `cladding` |
+//! | `check` | patch, for `egg check` | the same, `members` | `patch`, `feasibility`, `angles`, `cladding` |
+//! | `checks` | structure, for `egg check` | | `check` |
 //! | `schedule` | strip | `members`, `distribution.weights`, shares of corners | `cladding` |
 //! | `strip` | strip | the same | `patch`, `cladding`, `schedule` |
 //! | `members` | patch and family | | `strip` |
