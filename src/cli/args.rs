@@ -327,4 +327,6 @@ pub(super) enum SchemaOf {
     Project,
     /// The plan
     Plan,
+    /// What `egg diff --format json` writes
+    Difference,
 }

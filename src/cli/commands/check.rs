@@ -34,7 +34,7 @@ pub(in crate::cli) fn run(
             console.complain("the plan cannot be read back from the cache", None);
             return Ok(Exit::Usage);
         };
-        exit = lock::holds(console, job.opened.folder(), &plan)?;
+        exit = lock::holds(console, job.opened.folder(), &plan);
     }
     if exit == Exit::Done {
         let project = job.opened.project()?;
