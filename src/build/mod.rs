@@ -110,6 +110,7 @@ mod stage;
 mod stages;
 mod stamp;
 mod store;
+mod unfolding;
 
 pub use building::Built;
 pub use clock::Clock;

@@ -73,13 +73,25 @@ pub(super) enum Command {
         /// Name of the project and of its folder
         name: String,
     },
-    /// Check a project without writing files
+    /// Check a project without writing files, and print the criteria of its patches
     Check {
         #[command(flatten)]
         file: ProjectFile,
         /// Also hold the project to the `plan.lock` beside it
         #[arg(long)]
         locked: bool,
+        /// How the criteria are printed
+        #[arg(long, value_enum, default_value_t)]
+        format: CheckFormat,
+    },
+    /// Split patches that cannot be built in one piece, and print the points and patches as text
+    /// for the project file
+    Split {
+        #[command(flatten)]
+        file: ProjectFile,
+        /// How; `split.workflow` of the project where unsaid, or automatic
+        #[arg(long, value_enum)]
+        workflow: Option<SplitWorkflow>,
     },
     /// Compile a project into its plan, drawings and tables
     Build {
@@ -93,6 +105,17 @@ pub(super) enum Command {
         /// Replace files that are in the way and were not written by egg
         #[arg(long)]
         force: bool,
+    },
+    /// Write the test pieces that tell kerf and fit of a machine
+    Coupon {
+        #[command(flatten)]
+        file: ProjectFile,
+    },
+    /// Read the files of a build back and compare them with its plan
+    Verify {
+        /// The output directory of a build
+        #[arg(value_name = "FOLDER", value_hint = ValueHint::DirPath)]
+        folder: PathBuf,
     },
     /// Write the plan to standard output
     Export {
@@ -281,6 +304,23 @@ pub(super) enum PlanFormat {
     #[default]
     Json,
     Ron,
+}
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]
+pub(super) enum CheckFormat {
+    /// For people
+    #[default]
+    Table,
+    /// For scripts
+    Json,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum SplitWorkflow {
+    /// Sides over peaks of curvature, corners on them where that is not enough
+    Automatic,
+    /// By curvature: corners on peaks, patches as large as they can be, neighbours merged
+    Informed,
 }
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, ValueEnum)]

@@ -79,6 +79,11 @@ impl Console {
         self.terminal && !self.quiet && self.format == MessageFormat::Human
     }
 
+    /// Whether a table for people goes to standard output beside messages.
+    pub(super) fn prints_tables(self) -> bool {
+        !self.quiet && !self.is_json()
+    }
+
     pub(super) fn is_json(self) -> bool {
         self.format == MessageFormat::Json
     }

@@ -5,7 +5,7 @@ use super::exit::Exit;
 use crate::diagnostics::render::{Source, Sources};
 use crate::diagnostics::{Code, Diagnostic, File, Label, Place};
 use crate::project::model::Project;
-use crate::project::{Capability, Loaded, Notation, decode, load, unbuilt};
+use crate::project::{Capability, LengthText, Loaded, Notation, decode, load, unbuilt};
 use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -15,10 +15,16 @@ const UNREADABLE_MESH: Code = Code::new("E0901");
 const OUTSIDE: Code = Code::new("E0902");
 
 /// What the pipeline does beyond cutting lamellae from patches as they stand.
-const BUILT: [Capability; 4] = [
+const BUILT: [Capability; 10] = [
     Capability::SeveralPatches,
+    Capability::ClosedStrips,
+    Capability::Splitting,
+    Capability::Supports,
+    Capability::Stickers,
     Capability::Shells,
+    Capability::BedWindows,
     Capability::KerfCompensation,
+    Capability::Splices,
     Capability::Costs,
 ];
 
@@ -129,6 +135,28 @@ impl Opened {
                 Some(format!("  {}:{}  {text}", self.path.display(), line + 1))
             })
             .collect()
+    }
+
+    /// How the file is written: its notation and its unit of length.
+    pub(super) fn writing(&self) -> (Notation, LengthText) {
+        let notation = match self.path.extension().and_then(|e| e.to_str()) {
+            Some("ron") => Notation::Ron,
+            _ => Notation::Toml,
+        };
+        let key = "project.units";
+        let range = self.loaded.spans.value(key);
+        let said = self
+            .text
+            .get(range)
+            .filter(|_| self.loaded.spans.contains(key));
+        let units = said.map(|units| units.trim_matches(|c: char| !c.is_ascii_alphabetic()));
+        (notation, LengthText::of(units))
+    }
+
+    /// Whether a patch has lamellae of its own.
+    pub(super) fn overrides_lamella(&self, patch: &str) -> bool {
+        let key = crate::diagnostics::KeyPath::of(["lamella", patch]);
+        self.loaded.spans.contains(key.as_str())
     }
 
     /// The folder of the project file.

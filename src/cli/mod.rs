@@ -11,11 +11,14 @@ mod git;
 mod interrupt;
 mod progress;
 mod run;
+mod table;
 
+use crate::build::Request;
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
 use commands::{
-    build, cache, check, diff, explain, export, graph, init, lock, materials, schema, watch,
+    build, cache, check, diff, explain, export, graph, init, lock, materials, schema, split,
+    verify, watch,
 };
 use console::Console;
 use exit::Exit;
@@ -57,13 +60,20 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
     }
     let ended = match command {
         Command::Init { name } => Ok(init::run(console, &name)),
-        Command::Check { file, locked } => {
+        Command::Check {
+            file,
+            format,
+            locked,
+        } => {
             let held = if locked {
                 check::Held::Locked
             } else {
                 check::Held::Free
             };
-            check::run(console, &global, file.path.as_deref(), held)
+            check::run(console, &global, file.path.as_deref(), format, held)
+        }
+        Command::Split { file, workflow } => {
+            split::run(console, &global, file.path.as_deref(), workflow)
         }
         Command::Build {
             file,
@@ -75,6 +85,14 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
             let run = if dry_run { build::dry_run } else { build::run };
             run(console, &global, file.path.as_deref(), &request)
         }
+        Command::Coupon { file } => {
+            let request = Request {
+                stages: vec!["coupon-files".to_owned()],
+                ..Request::default()
+            };
+            build::run(console, &global, file.path.as_deref(), &request)
+        }
+        Command::Verify { folder } => verify::run(console, &folder),
         Command::Export { file, format } => {
             export::run(console, &global, file.path.as_deref(), format)
         }

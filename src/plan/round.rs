@@ -141,6 +141,14 @@ pub(super) fn quantity<T: Numbers + Serialize, S: Serializer>(
     written(value, &to_decimals(6), serializer)
 }
 
+/// Volumes in cubic metres: to the cubic millimetre.
+pub(super) fn cubic_metres<T: Numbers + Serialize, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    written(value, &to_decimals(9), serializer)
+}
+
 /// Curvatures: to six significant digits, the estimate has no more.
 pub(super) fn curvature<T: Numbers + Serialize, S: Serializer>(
     value: &T,

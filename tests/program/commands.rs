@@ -89,7 +89,11 @@ fn results_go_to_one_stream_and_messages_to_the_other() {
     serde_json::from_str::<serde_json::Value>(&exported.out).expect("JSON alone");
     let built = shop.egg(&["build", "junction.toml"]).expect(0);
     assert_eq!(built.out, "");
-    assert_eq!(built.err.lines().count(), 1, "{}", built.err);
+    let told: Vec<&str> = built.err.lines().map(str::trim_start).collect();
+    let [nested, finished] = told[..] else {
+        panic!("{}", built.err);
+    };
+    assert!(nested.starts_with("Nested ") && finished.starts_with("Finished "));
     let quiet = shop.egg(&["build", "junction.toml", "--quiet"]).expect(0);
     assert_eq!((quiet.out, quiet.err), (String::new(), String::new()));
     for always in ["materials", "help"] {
@@ -117,9 +121,14 @@ fn programs_get_a_record_a_line() {
     let last = told.last().expect("a summary");
     assert_eq!(last["reason"], "build-finished");
     assert_eq!(last["success"], true);
+    let nested = told
+        .iter()
+        .filter(|told| told["reason"] == "nested")
+        .count() as u64;
+    assert_eq!(nested, 1, "one material and thickness");
     assert_eq!(
         told.len() as u64,
-        last["stages"].as_u64().expect("a count") + 1
+        last["stages"].as_u64().expect("a count") + nested + 1
     );
 
     shop.write(

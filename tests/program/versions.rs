@@ -17,6 +17,10 @@ const GOLDEN: &str = "tests/golden/program/results.txt";
 /// Key and result of every instance, by its name.
 type Results = BTreeMap<String, [String; 2]>;
 
+fn whole<'p>(design: Design<'p>) -> impl Fn(&mut Graph<'p>) {
+    move |graph| declare(graph, design, Extent::Files)
+}
+
 fn results() -> Results {
     let shop = with_junction();
     let loaded = load(&read(JUNCTION), Notation::Toml, "junction");
@@ -30,7 +34,7 @@ fn results() -> Results {
         spans: &loaded.spans,
         mesh: &mesh,
     };
-    let graph = |graph: &mut Graph<'_>| declare(graph, design, Extent::Files);
+    let graph = whole(design);
     let request = Request::default();
     let built = engine.build(&request, &graph, &CancelToken::default(), &mut |_| {});
     assert!(built.succeeded(), "{:#?}", built.diagnostics);

@@ -2,7 +2,7 @@
 
 use crate::program::Workshop;
 use crate::python;
-use crate::{PROJECTS, root};
+use crate::{PROJECTS, STRUCTURES, root};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -62,6 +62,11 @@ fn another_exact_solver_confirms_the_plan_of_patches_that_share_sides() {
 }
 
 #[test]
+fn another_exact_solver_confirms_the_plan_of_the_pavilion() {
+    assert_eq!(recomputed(STRUCTURES[0]), "2 36 160 36 20");
+}
+
+#[test]
 fn readers_of_drawings_find_the_openings_of_the_plan_in_the_files_of_the_projects() {
     let python = python::venv(&[
         "ezdxf==1.4.*",
@@ -82,10 +87,10 @@ fn readers_of_drawings_find_the_openings_of_the_plan_in_the_files_of_the_project
     assert_eq!(
         found,
         [
-            "20 126 72 / 2 5",
-            "22 162 80 / 2 5",
-            "18 98 64 / 2 5",
-            "37 101 127 / 4 9",
+            "20 126 72 / 3 6",
+            "22 162 80 / 3 6",
+            "18 98 64 / 3 6",
+            "37 101 127 / 5 10",
         ]
     );
 }

@@ -12,4 +12,6 @@ pub(super) mod init;
 pub(super) mod lock;
 pub(super) mod materials;
 pub(super) mod schema;
+pub(super) mod split;
+pub(super) mod verify;
 pub(super) mod watch;

@@ -11,6 +11,7 @@ pub mod fabrication;
 pub mod grid;
 pub mod layout;
 mod project;
+pub mod splitting;
 pub mod surface;
 
 use serde::{Deserialize, Serialize};
@@ -74,6 +75,7 @@ pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
     [
         project::CODES,
         surface::CODES,
+        splitting::CODES,
         layout::CODES,
         cladding::CODES,
         grid::CODES,
