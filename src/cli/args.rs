@@ -77,6 +77,9 @@ pub(super) enum Command {
     Check {
         #[command(flatten)]
         file: ProjectFile,
+        /// Also hold the project to the `plan.lock` beside it
+        #[arg(long)]
+        locked: bool,
         /// How the criteria are printed
         #[arg(long, value_enum, default_value_t)]
         format: CheckFormat,
@@ -367,4 +370,6 @@ pub(super) enum SchemaOf {
     Project,
     /// The plan
     Plan,
+    /// What `egg diff --format json` writes
+    Difference,
 }
