@@ -77,9 +77,6 @@ pub(super) enum Command {
     Check {
         #[command(flatten)]
         file: ProjectFile,
-        /// Also hold the project to the `plan.lock` beside it
-        #[arg(long)]
-        locked: bool,
         /// How the criteria are printed
         #[arg(long, value_enum, default_value_t)]
         format: CheckFormat,
