@@ -9,7 +9,7 @@
 #![expect(clippy::print_stdout, reason = "a benchmark prints")]
 
 use egg::build::graph::{Design, Extent, declare};
-use egg::build::{Built, CancelToken, Engine, Graph, How, Request, Settings};
+use egg::build::{Built, CancelToken, Engine, How, Request, Settings};
 use egg::project::{Notation, load};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
@@ -106,7 +106,7 @@ impl Workplace {
         };
         let built = engine.build(
             &Request::default(),
-            &|graph: &mut Graph<'_>| declare(graph, design, extent),
+            &|graph| declare(graph, design, extent),
             &CancelToken::default(),
             &mut |_| {},
         );

@@ -15,6 +15,7 @@
 //! 7. [`grid`]: crossings, notches, lamellae, the flat state.
 //! 8. [`plan`]: the document that says everything about the structure.
 //! 9. [`fabrication`]: parts, sheets, drawings (DXF, SVG), bill of materials.
+//! 10. [`diff`]: the difference of two plans, for review.
 //!
 //! [`build`] runs the stages over a cached dependency graph, [`diagnostics`] is how every stage
 //! talks to the user, and [`cli`] is the only module that knows the terminal.
@@ -23,6 +24,7 @@ pub mod build;
 pub mod cladding;
 pub mod cli;
 pub mod diagnostics;
+pub mod diff;
 pub mod fabrication;
 pub mod geodesic;
 pub mod grid;

@@ -50,6 +50,8 @@ pub(super) struct Declared {
     pub(super) ports: Ports,
     /// Prefix of an input's field, and the key of the project it comes from.
     pub(super) origins: Vec<(String, String)>,
+    /// Fields of the input, and what the user calls them.
+    pub(super) names: Vec<(String, String)>,
     pub(super) publishes: bool,
 }
 
@@ -73,9 +75,13 @@ impl Declared {
     }
 
     /// Translates a diagnostic of the stage into the terms of the project: a key that begins with
-    /// a dot names a field of the stage's input, and without a subject it is about the target.
+    /// a dot names a field of the stage's input, `{.field}` in a text is what the user calls it,
+    /// and without a subject it is about the target.
     pub(super) fn localised(&self, diagnostic: &Diagnostic) -> Diagnostic {
-        let mut diagnostic = diagnostic.clone();
+        let mut diagnostic = diagnostic.with_names(&|field| {
+            let mut names = self.names.iter();
+            names.find_map(|(named, name)| (named == field).then_some(name.as_str()))
+        });
         for label in &mut diagnostic.labels {
             if let Place::Key(key) = &mut label.place
                 && let Some(field) = key.strip_prefix('.')
@@ -132,6 +138,7 @@ impl<'p> Graph<'p> {
             }),
             ports,
             origins: Vec::new(),
+            names: Vec::new(),
             publishes: false,
         });
         Node::new(index)
@@ -143,6 +150,14 @@ impl<'p> Graph<'p> {
         self.nodes[node.index]
             .origins
             .push((field.into(), key.into()));
+    }
+
+    /// Says what the user calls field `field` of the node's input. Names are no inputs: they are
+    /// put into diagnostics when these are told.
+    pub fn name<T>(&mut self, node: Node<T>, field: impl Into<String>, name: impl Into<String>) {
+        self.nodes[node.index]
+            .names
+            .push((field.into(), name.into()));
     }
 
     /// Publishes the node's files in the output directory.

@@ -62,6 +62,7 @@ pub fn json(plan: &Plan) -> String {
                 "needs": needs,
                 "publishes": stage.publishes,
                 "key": stage.key.map(Digest::to_hex),
+                "result": stage.result.map(Digest::to_hex),
                 "seconds": stage.estimate.map(|estimate| estimate.as_secs_f64()),
             })
         })

@@ -5,57 +5,84 @@
 //! |---|---|---|---|
 //! | `surface` | structure | `surface`, contents of the mesh file | |
 //! | `curvature` | structure | | `surface` |
+//! | `split` | structure, with a workflow | `points`, `patches`, `split` | `surface`, `curvature` |
 //! | `anchors` | structure | `points` | `surface` |
 //! | `anchor` | point | | `anchors` |
 //! | `line` | line | | `surface`, the anchors at its ends |
 //! | `station` | point on a line | its share | `surface`, `line` |
 //! | `patch` | patch | shares of its corners on their lines | `surface`, four `line` |
+//! | `network` | structure | names, shares of corners on their lines | `surface`, `line`s, `patch`es |
 //! | `sides` | patch | | `patch` |
 //! | `distances` | patch and family | | `patch` |
-//! | `cladding` | patch | `alpha`, `members`, `split.slope`, `lamella.width` | `sides`, `distances` |
-//! | `feasibility` | patch | | `surface`, `curvature`, `patch` |
-//! | `judgement` | patch | `split.eta_max` | `feasibility`, `cladding` |
+//! | `angles` | patch | `members`, `split.slope`, `lamella.width` | `sides`, `distances` |
+//! | `cladding` | patch | the same, `alpha` | `sides`, `distances`, `angles` |
+//! | `feasibility` | patch | `split.slope` | `surface`, `curvature`, `patch`, `distances` |
+//! | `judgement` | patch | `split`, names for proposals | `feasibility`, `angles`, `cladding` |
+//! | `check` | patch, for `egg check` | the same, `members` | `patch`, `feasibility`, `angles`, `cladding` |
+//! | `checks` | structure, for `egg check` | | `check` |
 //! | `schedule` | strip | `members`, `distribution.weights`, shares of corners | `cladding` |
 //! | `strip` | strip | the same | `patch`, `cladding`, `schedule` |
 //! | `members` | patch and family | | `strip` |
+//! | `strip-chapter` | strip | names | `schedule`, `strip` |
 //! | `grid` | patch | | `patch`, `members` |
 //! | `lamellae` | patch | `lamella`, density, bolt, shell, clearance, end margin | `members`, `grid` |
 //! | `skeleton` | structure | names | `surface`, `curvature`, anchors, lines |
 //! | `chapter` | patch | names, material | the patch's results |
+//! | `splices` | structure | splice, stock, bed, margins, bolt, clearance, grain, stiffness, strength | chapters |
+//! | `spliced` | patch | | `chapter`, `splices` |
 //! | `workshop` | patch | hardware, fabrication, materials | `chapter` |
 //! | `nest` | structure | stock, bed, margins, kerf, grain | chapters |
-//! | `bill` | structure | hardware, materials, prices | chapters, `nest` |
-//! | `plan` | structure | name | skeleton, chapters, `nest`, `bill` |
-//! | `*-files` | patch or structure | what the drawings show | chapters, `nest`, `bill` |
+//! | `stickers` | structure | `hardware.sticker` | chapters |
+//! | `supports` | structure | `supports`, bolt | skeleton, chapters |
+//! | `bill` | structure | hardware, materials, prices | chapters, `nest`, `stickers`, `supports` |
+//! | `plan` | structure | name | skeleton, chapters, `nest`, `stickers`, `supports`, `bill` |
+//! | `*-files` | patch or structure | what the drawings show | chapters and what is drawn |
 //!
-//! Names of points and patches are targets of instances, not inputs, up to the chapters: a patch
-//! that is renamed keeps its geometry. Points and patches are declared by name, so their order in
+//! `splices` and `spliced` are there where the project asks for joints; what needs chapters then
+//! has the spliced ones.
+//!
+//! Names of points and patches are targets of instances, not inputs, up to judgements and chapters
+//! (and of `split`, which makes new ones): a patch that is renamed keeps its geometry. Points and
+//! patches are declared by name, so their order in
 //! the file does not matter either.
 
 use super::passages::{count, family_target, strip_groups};
 use super::stages::cladding::{
-    CLADDING, CladdingInput, DISTANCES, FEASIBILITY, FeasibilityInput, JUDGEMENT, SIDES,
+    ANGLES, AnglesInput, CHECK, CHECKS, CLADDING, CheckInput, CladdingInput, DISTANCES,
+    FEASIBILITY, FeasibilityInput, JUDGEMENT, SIDES,
 };
 use super::stages::fabrication::{
-    ABOVE_FILES, BILL, BillInput, CLADDING_FILES, DrawingInput, LAYOUT_FILES, NEST, NestInput,
-    PLAN_FILE, SHEET_FILES, TABLE_FILES, WORKSHOP,
+    ABOVE_FILES, BILL, BillInput, CLADDING_FILES, COUPON_FILES, CouponInput, DrawingInput,
+    LAYOUT_FILES, NEST, NETWORK_FILES, NestInput, NetworkDrawingInput, PART_FILES, PLAN_FILE,
+    SHEET_FILES, SPLICED, SPLICES, STICKER_FILES, STICKERS, SUPPORT_FILES, SUPPORTS, SupportInput,
+    TABLE_FILES, WORKSHOP,
 };
-use super::stages::layout::{ANCHOR, ANCHORS, Anchors, LINE, PATCH, PatchInput, STATION};
-use super::stages::members::{GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP};
+use super::stages::layout::{
+    ANCHOR, ANCHORS, Anchors, LINE, NETWORK, NetworkInput, PATCH, PatchInput, STATION,
+};
+use super::stages::members::{
+    GRID, LAMELLAE, MEMBERS, SCHEDULE, STRIP, STRIP_CHAPTER, StripChapterInput,
+};
 use super::stages::plan::{
     CHAPTER, ChapterInput, EdgeInput, PLAN, PlanInput, SKELETON, SkeletonInput,
 };
+use super::stages::splitting::{SPLIT, SplitInput};
 use super::stages::surface::{CURVATURE, SURFACE, SurfaceInput};
+pub use super::unfolding::laid_out;
+use super::unfolding::{Origins, draft_of};
 use super::{Built, Graph, Node, SourceFile, Warnings};
-use crate::cladding::Clad;
+use crate::cladding::{AngleChoice, Clad};
 use crate::diagnostics::{KeyPath, SpanTable};
+use crate::fabrication::NamedQuad;
+use crate::fabrication::coupon::{self, CouponSection};
 use crate::fabrication::nesting::Settings;
+use crate::fabrication::splicing::{self, Rules};
 use crate::grid::Section;
-use crate::layout::{Domain, Network, Side, edge_id};
+use crate::layout::{Domain, Network, Side, SidePiece, edge_id};
 use crate::members::Member;
 use crate::plan::Plan;
-use crate::project::model::{Family, Patch, Point, Project};
-use crate::splitting::Feasibility;
+use crate::project::model::{Family, Patch, Point, Project, Split, Workflow};
+use crate::splitting::{Criteria, Draft, Feasibility, PatchCheck, SplitLimits};
 use crate::surface::{Curvature, ReadOptions, SurfaceMesh, SurfacePoint};
 use std::collections::BTreeMap;
 use std::sync::Arc;
@@ -65,6 +92,8 @@ use std::sync::Arc;
 pub enum Extent {
     /// Up to the plan: everything that can be wrong with a design.
     Plan,
+    /// Up to the plan, with a record of the criteria of every patch.
+    Checks,
     /// Up to the files.
     Files,
 }
@@ -81,8 +110,15 @@ pub struct Design<'a> {
 }
 
 /// Declares the graph of a design.
-pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
-    let Design { project, mesh, .. } = design;
+///
+/// With `split.workflow` the graph unfolds in two steps: what the patches are is the result of the
+/// stage `split`, everything after it is declared when that is known.
+pub fn declare<'p>(graph: &mut Graph<'p>, design: Design<'p>, extent: Extent) {
+    let Design {
+        project,
+        spans,
+        mesh,
+    } = design;
     let surface = graph.add(
         &SURFACE,
         "",
@@ -94,18 +130,113 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
     );
     graph.origin(surface, "", "surface");
     let curvature = graph.add(&CURVATURE, "", (), surface);
+    if project.split.workflow == Workflow::Off {
+        let ground = Ground {
+            surface,
+            curvature,
+            origins: Origins::default(),
+            split: None,
+        };
+        structure(graph, design, &ground, extent);
+        return;
+    }
+    let split = split(graph, project, surface, curvature);
+    graph.unfold(split, move |graph, draft| {
+        let laid = laid_out(project, draft);
+        let design = Design {
+            project: &laid,
+            spans,
+            mesh,
+        };
+        let ground = Ground {
+            surface,
+            curvature,
+            origins: Origins::of(project, draft),
+            split: Some(split.warnings()),
+        };
+        structure(graph, design, &ground, extent);
+    });
+}
+
+/// The stage that splits the patches of a project.
+fn split(
+    graph: &mut Graph<'_>,
+    project: &Project,
+    surface: Node<SurfaceMesh>,
+    curvature: Node<Curvature>,
+) -> Node<Draft> {
+    let draft = draft_of(project);
+    let keys: Vec<(String, String)> = draft
+        .patches
+        .iter()
+        .enumerate()
+        .map(|(i, p)| (format!("draft.patches[{i}]"), key(&["patches", &p.name])))
+        .chain(
+            draft
+                .points
+                .iter()
+                .enumerate()
+                .map(|(i, p)| (format!("draft.points[{i}]"), key(&["points", &p.name]))),
+        )
+        .collect();
+    let Split {
+        workflow,
+        eta_max,
+        slope,
+        min_side,
+        max_patches,
+    } = project.split;
+    let limits = SplitLimits {
+        workflow,
+        eta_max,
+        slope,
+        min_side,
+        max_patches,
+    };
+    let node = graph.add(
+        &SPLIT,
+        "",
+        SplitInput { draft, limits },
+        (surface, curvature),
+    );
+    graph.origin(node, "limits", "split");
+    for (field, key) in keys {
+        graph.origin(node, field, key);
+    }
+    node
+}
+
+/// What a structure stands on.
+struct Ground {
+    surface: Node<SurfaceMesh>,
+    curvature: Node<Curvature>,
+    origins: Origins,
+    /// What the splitting had to say.
+    split: Option<Warnings>,
+}
+
+/// Declares everything after the patches are known.
+fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent: Extent) {
+    let project = design.project;
+    let &Ground {
+        surface,
+        curvature,
+        ref origins,
+        split,
+    } = ground;
     let mut points: Vec<Point> = project.points.clone();
     points.sort_by(|a, b| a.name.cmp(&b.name));
     let mut patches: Vec<Patch> = project.patches.clone();
     patches.sort_by(|a, b| a.name.cmp(&b.name));
 
     let network = Network::new(&points, &patches);
-    let mut lines = Lines::declare(graph, surface, &points, &network);
+    let mut lines = Lines::declare(graph, surface, &points, &network, origins);
     let nodes: Vec<(String, Node<SurfacePoint>)> = points
         .iter()
         .map(|point| (point.name.clone(), lines.point(graph, &point.name)))
         .collect();
     let told = &mut vec![(String::new(), surface.warnings())];
+    told.extend(split.map(|warnings| (String::new(), warnings)));
     told.push((String::new(), lines.anchors.warnings()));
     let skeleton = skeleton(graph, surface, curvature, &network, &mut lines, &nodes);
     let basis = Basis {
@@ -113,25 +244,25 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         surface,
         curvature,
         network: &network,
+        origins,
     };
     let planned: Vec<PlannedPatch> = patches
         .iter()
         .enumerate()
         .map(|(i, patch)| plan_patch(graph, &basis, &mut lines, patch, i, told))
         .collect();
-    let members = weave_strips(graph, project, &patches, &network, &planned);
+    let neighbours = check_neighbours(graph, &basis, &mut lines, &patches, &planned);
+    told.push((String::new(), neighbours.warnings()));
+    let (members, strips) = weave_strips(graph, &basis, &patches, &planned, told);
     let chapters: Vec<Node<Plan>> = patches
         .iter()
         .enumerate()
         .map(|(i, patch)| chapter(graph, &basis, patch, i, &planned[i], &members, told))
         .collect();
 
-    let drawing = || DrawingInput {
-        name: project.name.clone(),
-        hardware: project.hardware.clone(),
-        fabrication: project.fabrication.clone(),
-        materials: project.materials.clone(),
-    };
+    let chapters = spliced(graph, project, &patches, chapters, told);
+
+    let drawing = || drawing_input(project);
     let workshops: Vec<Node<()>> = patches
         .iter()
         .zip(&chapters)
@@ -152,10 +283,30 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
                 .map(|m| (m.name.clone(), m.grain))
                 .collect(),
         },
-        (chapters.clone(), workshops),
+        (chapters.clone(), workshops.clone()),
     );
     graph.origin(nest, "settings", "fabrication");
     told.push((String::new(), nest.warnings()));
+    let foils = graph.add(
+        &STICKERS,
+        "",
+        project.hardware.sticker.clone(),
+        (chapters.clone(), workshops.clone()),
+    );
+    graph.origin(foils, "", "hardware.sticker");
+    told.push((String::new(), foils.warnings()));
+    let supports = graph.add(
+        &SUPPORTS,
+        "",
+        SupportInput {
+            supports: project.supports.clone(),
+            bolt: project.hardware.bolt.clone(),
+        },
+        (skeleton, chapters.clone(), workshops),
+    );
+    graph.origin(supports, "supports", "supports");
+    graph.origin(supports, "bolt", "hardware.bolt");
+    told.push((String::new(), supports.warnings()));
     let bill = graph.add(
         &BILL,
         "",
@@ -164,7 +315,7 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
             materials: project.materials.clone(),
             stock: project.fabrication.stock.clone(),
         },
-        (chapters.clone(), nest),
+        (chapters.clone(), nest, foils, supports),
     );
     graph.origin(bill, "hardware", "hardware");
     graph.origin(bill, "stock", "fabrication.stock");
@@ -176,12 +327,27 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         PlanInput {
             name: project.name.clone(),
             subjects,
+            allowed: project.allowed_lints.clone(),
         },
-        (skeleton, chapters.clone(), nest, bill, warnings),
+        (
+            skeleton,
+            chapters.iter().copied().chain(strips).collect(),
+            nest,
+            foils,
+            supports,
+            bill,
+            warnings,
+        ),
     );
     graph.origin(plan, "name", "project.name");
-    if extent == Extent::Plan {
-        return;
+    graph.origin(plan, "allowed", "lints.allow");
+    match extent {
+        Extent::Plan => return,
+        Extent::Checks => {
+            checks(graph, &basis, &patches, &planned);
+            return;
+        }
+        Extent::Files => {}
     }
 
     let plan_file = graph.add(&PLAN_FILE, "", (), plan);
@@ -192,7 +358,15 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
         let flat = graph.add(&LAYOUT_FILES, &patch.name, drawing(), *chapter);
         drawing_origins(graph, flat);
         graph.publish(flat);
+        let parts = graph.add(&PART_FILES, &patch.name, drawing(), *chapter);
+        drawing_origins(graph, parts);
+        graph.publish(parts);
     }
+    let coupon = graph.add(&COUPON_FILES, "", coupon(project), ());
+    graph.origin(coupon, "sections", "lamella");
+    graph.origin(coupon, "hardware", "hardware");
+    graph.origin(coupon, "fabrication", "fabrication");
+    graph.publish(coupon);
     let above = graph.add(
         &ABOVE_FILES,
         "",
@@ -201,17 +375,126 @@ pub fn declare(graph: &mut Graph<'_>, design: Design<'_>, extent: Extent) {
     );
     graph.origin(above, "", "project.name");
     graph.publish(above);
+    let names = NetworkDrawingInput {
+        name: project.name.clone(),
+        patches: patches
+            .iter()
+            .zip(&network.sides)
+            .map(|(patch, sides)| {
+                NamedQuad::new(&patch.name, &patch.corners, edges_of(&network, sides))
+            })
+            .collect(),
+    };
+    let drawn = graph.add(&NETWORK_FILES, "", names, skeleton);
+    graph.origin(drawn, "name", "project.name");
+    graph.publish(drawn);
     let sheets = graph.add(&SHEET_FILES, "", drawing(), (chapters.clone(), nest));
     drawing_origins(graph, sheets);
     graph.publish(sheets);
-    let tables = graph.add(&TABLE_FILES, "", drawing(), (chapters, nest, bill));
+    let stickers = graph.add(&STICKER_FILES, "", drawing(), foils);
+    drawing_origins(graph, stickers);
+    graph.publish(stickers);
+    let needs = (skeleton, chapters, supports);
+    let feet = graph.add(&SUPPORT_FILES, "", drawing(), needs);
+    drawing_origins(graph, feet);
+    graph.publish(feet);
+    let tables = graph.add(&TABLE_FILES, "", drawing(), plan);
     drawing_origins(graph, tables);
     graph.publish(tables);
+}
+
+/// What drawings depend on. Prices are left out, so that an edit of one draws nothing again.
+fn drawing_input(project: &Project) -> DrawingInput {
+    let mut fabrication = project.fabrication.clone();
+    fabrication.stock.price = None;
+    let mut materials = project.materials.clone();
+    for material in &mut materials {
+        material.price = None;
+    }
+    DrawingInput {
+        name: project.name.clone(),
+        hardware: project.hardware.clone(),
+        fabrication,
+        materials,
+    }
+}
+
+/// What test pieces a project needs.
+fn coupon(project: &Project) -> CouponInput {
+    let mut sections: Vec<CouponSection> = project
+        .patches
+        .iter()
+        .map(|patch| CouponSection {
+            material: patch.lamella.material.clone(),
+            thickness: patch.lamella.thickness,
+        })
+        .collect();
+    coupon::sort(&mut sections);
+    CouponInput {
+        sections,
+        hardware: project.hardware.clone(),
+        fabrication: project.fabrication.clone(),
+    }
+}
+
+/// Chapters with the pieces of lamellae that are longer than the stock, where the project allows
+/// joints.
+fn spliced(
+    graph: &mut Graph<'_>,
+    project: &Project,
+    patches: &[Patch],
+    chapters: Vec<Node<Plan>>,
+    told: &mut Vec<(String, Warnings)>,
+) -> Vec<Node<Plan>> {
+    let Some(kind) = project.fabrication.splice else {
+        return chapters;
+    };
+    let settings = Settings::new(&project.fabrication);
+    let rules = Rules {
+        kind,
+        bolt: project.hardware.bolt.diameter,
+        clearance: project.fabrication.clearance,
+        stock: project
+            .materials
+            .iter()
+            .map(|m| splicing::Stock {
+                material: m.name.clone(),
+                longest: settings.longest(m.grain),
+                elastic_modulus: m.elastic_modulus,
+                bending_strength: m.bending_strength,
+            })
+            .collect(),
+    };
+    let splices = graph.add(&SPLICES, "", rules, chapters.clone());
+    for (field, key) in [
+        ("kind", "fabrication.splice"),
+        ("stock", "fabrication.stock"),
+        ("bolt", "hardware.bolt"),
+        ("clearance", "fabrication.clearance"),
+    ] {
+        graph.origin(splices, field, key);
+    }
+    told.push((String::new(), splices.warnings()));
+    patches
+        .iter()
+        .zip(chapters)
+        .map(|(patch, chapter)| graph.add(&SPLICED, &patch.name, (), (chapter, splices)))
+        .collect()
 }
 
 /// The plan of a finished build.
 pub fn plan_of(built: &Built) -> Option<Arc<Plan>> {
     built.output(&PLAN, "")
+}
+
+/// The criteria of all patches, by name; `None` if the surface or the project is at fault.
+pub fn checks_of(built: &Built) -> Option<Arc<Vec<PatchCheck>>> {
+    built.output(&CHECKS, "")
+}
+
+/// The points and patches that a project with a workflow is split into.
+pub fn split_of(built: &Built) -> Option<Arc<Draft>> {
+    built.output(&SPLIT, "")
 }
 
 fn drawing_origins(graph: &mut Graph<'_>, node: Node<super::Files>) {
@@ -223,6 +506,7 @@ fn drawing_origins(graph: &mut Graph<'_>, node: Node<super::Files>) {
 /// Lines and points, declared when they are first asked for: a line needs its ends, and an end may
 /// stand on another line.
 struct Lines<'n> {
+    origins: &'n Origins,
     surface: Node<SurfaceMesh>,
     anchors: Node<Anchors>,
     network: &'n Network,
@@ -236,6 +520,7 @@ impl<'n> Lines<'n> {
         surface: Node<SurfaceMesh>,
         points: &[Point],
         network: &'n Network,
+        origins: &'n Origins,
     ) -> Self {
         let list = points
             .iter()
@@ -243,9 +528,10 @@ impl<'n> Lines<'n> {
             .collect();
         let anchors = graph.add(&ANCHORS, "", list, surface);
         for (i, point) in points.iter().enumerate() {
-            graph.origin(anchors, format!("[{i}]"), key(&["points", &point.name]));
+            graph.origin(anchors, format!("[{i}]"), origins.point_key(&point.name));
         }
         Self {
+            origins,
             surface,
             anchors,
             network,
@@ -275,7 +561,7 @@ impl<'n> Lines<'n> {
             Some((index, share)) => {
                 let line = self.line(graph, index);
                 let node = graph.add(&STATION, name, share, (self.surface, line));
-                graph.origin(node, "", key(&["points", name, "at"]));
+                graph.origin(node, "", self.origins.point_key(name));
                 node
             }
             None => graph.add(&ANCHOR, name, name.to_owned(), self.anchors),
@@ -293,7 +579,10 @@ impl<'n> Lines<'n> {
         let line = &network.lines[index];
         let ends = line.ends().map(|name| self.point(graph, name));
         let node = graph.add(&LINE, line.id(), (), (self.surface, ends[0], ends[1]));
-        graph.origin(node, "", key(&["points", line.ends()[0]]));
+        graph.origin(node, "", self.origins.point_key(line.ends()[0]));
+        for (field, name) in ["from", "to"].into_iter().zip(line.ends()) {
+            graph.name(node, field, name);
+        }
         self.declared.insert(index, node);
         node
     }
@@ -352,6 +641,7 @@ struct Basis<'a> {
     surface: Node<SurfaceMesh>,
     curvature: Node<Curvature>,
     network: &'a Network,
+    origins: &'a Origins,
 }
 
 /// A patch up to its plan.
@@ -360,6 +650,7 @@ struct PlannedPatch {
     clad: Node<Clad>,
     feasibility: Node<Feasibility>,
     judgement: Node<bool>,
+    angles: Node<AngleChoice>,
 }
 
 fn plan_patch(
@@ -375,10 +666,11 @@ fn plan_patch(
         surface,
         curvature,
         network,
+        origins,
     } = *basis;
     let project = design.project;
     let name = &patch.name;
-    let here = key(&["patches", name]);
+    let here = origins.patch_key(name);
     let pieces = network.sides[index];
     let corners = pieces
         .map(|piece| [piece.from, piece.to].map(|i| network.lines[piece.line].stations[i].share));
@@ -387,6 +679,10 @@ fn plan_patch(
     let domain = graph.add(&PATCH, name, PatchInput { corners }, needs);
     graph.origin(domain, "", &here);
     graph.origin(domain, "corners", format!("{here}.corners"));
+    graph.name(domain, "", name);
+    for (i, corner) in patch.corners.iter().enumerate() {
+        graph.name(domain, format!("corners[{i}]"), corner);
+    }
 
     let sides = graph.add(&SIDES, name, (), domain);
     let [u, v] = [Family::U, Family::V].map(|family| {
@@ -395,32 +691,111 @@ fn plan_patch(
         told.push((name.clone(), node.warnings()));
         node
     });
+    let slope = project.split.slope;
+    let members = [Family::U, Family::V].map(|family| count(patch, family));
+    let width = patch.lamella.width;
+    let input = AnglesInput {
+        slope,
+        members,
+        width,
+    };
+    let angles = graph.add(&ANGLES, name, input, (sides, u, v));
     let input = CladdingInput {
         alpha: patch.alpha,
-        slope: project.split.slope,
-        members: [Family::U, Family::V].map(|family| count(patch, family)),
-        width: patch.lamella.width,
+        slope,
+        members,
+        width,
     };
-    let clad = graph.add(&CLADDING, name, input, (sides, u, v));
+    let clad = graph.add(&CLADDING, name, input, ((sides, u, v), angles));
     graph.origin(clad, "", &here);
-    graph.origin(clad, "slope", "split.slope");
-    graph.origin(clad, "width", lamella_key(design.spans, name, "width"));
+    for (field, key) in [
+        ("slope", "split.slope".to_owned()),
+        ("width", lamella_key(basis, name, "width")),
+    ] {
+        graph.origin(angles, field, &key);
+        graph.origin(clad, field, key);
+    }
+    graph.origin(angles, "members", format!("{here}.members"));
 
-    let feasibility = graph.add(&FEASIBILITY, name, (), (surface, curvature, domain));
+    let needs = (surface, curvature, domain, u, v);
+    let feasibility = graph.add(&FEASIBILITY, name, FeasibilityInput { slope }, needs);
     graph.origin(feasibility, "", &here);
-    let input = FeasibilityInput {
-        eta_max: project.split.eta_max,
-    };
-    let judgement = graph.add(&JUDGEMENT, name, input, (feasibility, clad));
+    graph.origin(feasibility, "slope", "split.slope");
+    let needs = (feasibility, angles, clad.attempt());
+    let judgement = graph.add(&JUDGEMENT, name, criteria(project, patch), needs);
     graph.origin(judgement, "", &here);
     graph.origin(judgement, "eta_max", "split.eta_max");
+    graph.origin(judgement, "slope", "split.slope");
     told.push((name.clone(), judgement.warnings()));
     PlannedPatch {
         domain,
         clad,
         feasibility,
         judgement,
+        angles,
     }
+}
+
+/// What a patch is judged by.
+fn criteria(project: &Project, patch: &Patch) -> Criteria {
+    Criteria {
+        eta_max: project.split.eta_max,
+        slope: project.split.slope,
+        patch: patch.name.clone(),
+        corners: patch.corners.clone(),
+    }
+}
+
+/// The criteria of all patches in one result, for `egg check`.
+fn checks(graph: &mut Graph<'_>, basis: &Basis<'_>, patches: &[Patch], planned: &[PlannedPatch]) {
+    let mut nodes = Vec::with_capacity(patches.len());
+    for (patch, plan) in patches.iter().zip(planned) {
+        let needs = (
+            plan.domain.attempt(),
+            plan.feasibility.attempt(),
+            plan.angles.attempt(),
+            plan.clad.attempt(),
+        );
+        let input = CheckInput {
+            criteria: criteria(basis.design.project, patch),
+            members: [Family::U, Family::V].map(|family| count(patch, family)),
+        };
+        let node = graph.add(&CHECK, &patch.name, input, needs);
+        let here = basis.origins.patch_key(&patch.name);
+        graph.origin(node, "criteria.eta_max", "split.eta_max");
+        graph.origin(node, "criteria.slope", "split.slope");
+        graph.origin(node, "", &here);
+        nodes.push(node);
+    }
+    graph.add(&CHECKS, "", (), nodes);
+}
+
+/// The check of all patches together.
+fn check_neighbours(
+    graph: &mut Graph<'_>,
+    basis: &Basis<'_>,
+    lines: &mut Lines<'_>,
+    patches: &[Patch],
+    planned: &[PlannedPatch],
+) -> Node<()> {
+    let network = basis.network;
+    let input = NetworkInput {
+        network: network.clone(),
+        patches: patches
+            .iter()
+            .map(|patch| (patch.name.clone(), patch.corners.clone()))
+            .collect(),
+    };
+    let sides = (0..network.lines.len())
+        .map(|index| lines.line(graph, index))
+        .collect();
+    let domains = planned.iter().map(|patch| patch.domain).collect();
+    let node = graph.add(&NETWORK, "", input, (basis.surface, sides, domains));
+    for (i, patch) in patches.iter().enumerate() {
+        let here = basis.origins.patch_key(&patch.name);
+        graph.origin(node, format!("patches[{i}]"), here);
+    }
+    node
 }
 
 type MembersOf = BTreeMap<(usize, Family), Node<Vec<Member>>>;
@@ -428,29 +803,40 @@ type MembersOf = BTreeMap<(usize, Family), Node<Vec<Member>>>;
 /// Members of all strips, and of each family of each patch out of them.
 fn weave_strips(
     graph: &mut Graph<'_>,
-    project: &Project,
+    basis: &Basis<'_>,
     patches: &[Patch],
-    network: &Network,
     planned: &[PlannedPatch],
-) -> MembersOf {
+    told: &mut Vec<(String, Warnings)>,
+) -> (MembersOf, Vec<Node<Plan>>) {
     let mut members = MembersOf::new();
-    for group in strip_groups(project, patches, network) {
+    let mut chapters = Vec::new();
+    let distribution = &basis.design.project.distribution;
+    for group in strip_groups(distribution, patches, basis.network) {
         let patches_in = || group.passages.iter().map(|&(patch, _)| &planned[patch]);
         let clads: Vec<Node<Clad>> = patches_in().map(|p| p.clad).collect();
         let domains = patches_in().map(|p| p.domain).collect();
         let schedule = graph.add(&SCHEDULE, &group.name, group.input.clone(), clads.clone());
         let needs = (domains, clads, schedule);
+        let closed = group.input.closed;
         let strip = graph.add(&STRIP, &group.name, group.input, needs);
+        told.push((group.name.clone(), strip.warnings()));
+        let families = group.passages.iter();
+        let families = families.map(|&(patch, family)| family_target(&patches[patch].name, family));
+        let input = StripChapterInput {
+            families: families.collect(),
+            closed,
+        };
+        chapters.push(graph.add(&STRIP_CHAPTER, &group.name, input, (schedule, strip)));
         for (i, &(patch, family)) in group.passages.iter().enumerate() {
             let name = &patches[patch].name;
-            let here = key(&["patches", name]);
+            let here = basis.origins.patch_key(name);
             strip_origins(graph, schedule, i, &here);
             strip_origins(graph, strip, i, &here);
             let node = graph.add(&MEMBERS, family_target(name, family), i as u32, strip);
             members.insert((patch, family), node);
         }
     }
-    members
+    (members, chapters)
 }
 
 /// Where the fields of a passage come from.
@@ -474,12 +860,13 @@ fn chapter(
         design, network, ..
     } = *basis;
     let name = &patch.name;
-    let here = key(&["patches", name]);
+    let here = basis.origins.patch_key(name);
     let PlannedPatch {
         domain,
         clad,
         feasibility,
         judgement,
+        angles: _,
     } = *planned;
     let [u, v] = [Family::U, Family::V].map(|family| members[&(index, family)]);
     let grid = graph.add(&GRID, name, (), (domain, u, v));
@@ -488,7 +875,7 @@ fn chapter(
     let lamellae = graph.add(&LAMELLAE, name, section.clone(), (u, v, grid));
     graph.origin(lamellae, "", &here);
     for field in ["width", "thickness"] {
-        graph.origin(lamellae, field, lamella_key(design.spans, name, field));
+        graph.origin(lamellae, field, lamella_key(basis, name, field));
     }
     graph.origin(lamellae, "end_margin", "fabrication.end_margin");
     graph.origin(lamellae, "clearance", "fabrication.clearance");
@@ -501,29 +888,29 @@ fn chapter(
     );
     told.push((name.clone(), lamellae.warnings()));
 
-    let sides = network.sides[index].map(|piece| {
-        let stations = &network.lines[piece.line].stations;
-        piece
-            .segments()
-            .map(|(i, j)| edge_id(&stations[i].name, &stations[j].name))
-            .collect()
-    });
     let input = ChapterInput {
         patch: name.clone(),
         corners: patch.corners.clone(),
-        sides,
+        sides: edges_of(network, &network.sides[index]),
         material: patch.lamella.material.clone(),
         section,
     };
     let needs = (domain, clad, feasibility, judgement, u, v, grid, lamellae);
     let chapter = graph.add(&CHAPTER, name, input, needs);
     graph.origin(chapter, "", &here);
-    graph.origin(
-        chapter,
-        "material",
-        lamella_key(design.spans, name, "material"),
-    );
+    graph.origin(chapter, "material", lamella_key(basis, name, "material"));
     chapter
+}
+
+/// Ids of the edges of the sides of a patch, in the order of travel.
+fn edges_of(network: &Network, sides: &[SidePiece; 4]) -> [Vec<String>; 4] {
+    sides.map(|piece| {
+        let stations = &network.lines[piece.line].stations;
+        piece
+            .segments()
+            .map(|(i, j)| edge_id(&stations[i].name, &stations[j].name))
+            .collect()
+    })
 }
 
 /// What shapes the lamellae of a patch.
@@ -552,9 +939,9 @@ fn section(project: &Project, patch: &Patch) -> Section {
 }
 
 /// Where the project says a lamella's field of a patch: the patch's own, or the common one.
-fn lamella_key(spans: &SpanTable, patch: &str, field: &str) -> String {
-    let own = key(&["lamella", patch, field]);
-    if spans.contains(&own) {
+fn lamella_key(basis: &Basis<'_>, patch: &str, field: &str) -> String {
+    let own = key(&["lamella", basis.origins.patch(patch), field]);
+    if basis.design.spans.contains(&own) {
         own
     } else {
         key(&["lamella", field])

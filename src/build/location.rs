@@ -1,7 +1,7 @@
 //! Where the cache lies. The environment is read by whoever calls this, not here.
 
 use std::ffi::OsString;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Where the cache's directory may be named, the strongest first.
 #[derive(Debug, Clone, Default)]
@@ -10,9 +10,12 @@ pub struct CacheNames {
     pub option: Option<PathBuf>,
     /// The environment's: `EGG_CACHE_DIR`.
     pub variable: Option<OsString>,
+    /// The user's configuration's.
+    pub configured: Option<PathBuf>,
 }
 
-/// The cache's directory: the option, or the variable, or `egg` in the user's cache directory.
+/// The cache's directory: the option, or the variable, or what the user configured, or `egg` in the
+/// user's cache directory.
 /// `None` if the environment does not even tell a home; `environment` looks variables up.
 pub fn cache_directory(
     names: &CacheNames,
@@ -23,7 +26,32 @@ pub fn cache_directory(
         .option
         .clone()
         .or_else(|| variable.map(PathBuf::from))
+        .or_else(|| names.configured.clone())
         .or_else(|| user_directory(System::CURRENT, environment))
+}
+
+/// The directory of the user's configuration of egg. `None` if the environment does not even tell a
+/// home; `environment` looks variables up.
+pub fn user_config_directory(environment: &dyn Fn(&str) -> Option<OsString>) -> Option<PathBuf> {
+    config_directory(System::CURRENT, environment)
+}
+
+fn config_directory(
+    system: System,
+    environment: &dyn Fn(&str) -> Option<OsString>,
+) -> Option<PathBuf> {
+    let below = |name: &str, parts: &str| Some(absolute(environment, name)?.join(parts));
+    match system {
+        System::Windows => below("APPDATA", "egg"),
+        System::Mac => below("HOME", "Library/Application Support/egg"),
+        System::Other => below("XDG_CONFIG_HOME", "egg").or_else(|| below("HOME", ".config/egg")),
+    }
+}
+
+/// The path in a variable. As the XDG specification says, a relative one is passed over.
+fn absolute(environment: &dyn Fn(&str) -> Option<OsString>, name: &str) -> Option<PathBuf> {
+    let path = PathBuf::from(environment(name)?);
+    path.has_root().then_some(path)
 }
 
 /// Systems with different habits.
@@ -49,18 +77,11 @@ fn user_directory(
     system: System,
     environment: &dyn Fn(&str) -> Option<OsString>,
 ) -> Option<PathBuf> {
-    // As the XDG specification says, a relative path is passed over.
-    let absolute = |name: &str| {
-        let path = PathBuf::from(environment(name)?);
-        path.has_root().then_some(path)
-    };
-    let below = |path: PathBuf, parts: &str| path.join(Path::new(parts));
+    let below = |name: &str, parts: &str| Some(absolute(environment, name)?.join(parts));
     match system {
-        System::Windows => absolute("LOCALAPPDATA").map(|path| below(path, "egg/cache")),
-        System::Mac => absolute("HOME").map(|path| below(path, "Library/Caches/egg")),
-        System::Other => absolute("XDG_CACHE_HOME")
-            .map(|path| below(path, "egg"))
-            .or_else(|| absolute("HOME").map(|path| below(path, ".cache/egg"))),
+        System::Windows => below("LOCALAPPDATA", "egg/cache"),
+        System::Mac => below("HOME", "Library/Caches/egg"),
+        System::Other => below("XDG_CACHE_HOME", "egg").or_else(|| below("HOME", ".cache/egg")),
     }
 }
 
@@ -71,6 +92,7 @@ mod tests {
     fn environment(name: &str) -> Option<OsString> {
         match name {
             "HOME" => Some("/home/u".into()),
+            "APPDATA" => Some("/c/roaming".into()),
             "LOCALAPPDATA" => Some("/c/local".into()),
             "XDG_CACHE_HOME" => Some("relative".into()),
             _ => None,
@@ -82,13 +104,28 @@ mod tests {
         let mut names = CacheNames {
             option: Some("here".into()),
             variable: Some("there".into()),
+            configured: Some("elsewhere".into()),
         };
         let found = |names: &CacheNames| cache_directory(names, &environment);
         assert_eq!(found(&names), Some("here".into()));
         names.option = None;
         assert_eq!(found(&names), Some("there".into()));
         names.variable = Some(OsString::new());
+        assert_eq!(found(&names), Some("elsewhere".into()));
+        names.configured = None;
         assert_eq!(found(&names), user_directory(System::CURRENT, &environment));
+    }
+
+    #[test]
+    fn the_configuration_has_a_place_on_every_system() {
+        let found = |system| config_directory(system, &environment);
+        assert_eq!(found(System::Other), Some("/home/u/.config/egg".into()));
+        assert_eq!(
+            found(System::Mac),
+            Some("/home/u/Library/Application Support/egg".into())
+        );
+        assert_eq!(found(System::Windows), Some("/c/roaming/egg".into()));
+        assert_eq!(config_directory(System::Mac, &|_| None), None);
     }
 
     #[test]

@@ -110,6 +110,7 @@ mod stage;
 mod stages;
 mod stamp;
 mod store;
+mod unfolding;
 
 pub use building::Built;
 pub use clock::Clock;
@@ -119,7 +120,7 @@ pub use event::{Event, How, Tally};
 pub use explain::{Cause, Explanation, Influence};
 pub use export::{dot, json};
 pub use key::{Digest, canon, recipe};
-pub use location::{CacheNames, cache_directory};
+pub use location::{CacheNames, cache_directory, user_config_directory};
 pub use needs::{Attempt, Needs, Node, Ports, Supply, Warnings};
 pub use plan::{Plan, PlannedStage, RootCause, State};
 pub use publish::{Files, MANIFEST, OutputFile, Publication};

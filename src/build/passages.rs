@@ -4,7 +4,7 @@
 use super::stages::members::{PassageInput, StripInput};
 use crate::layout::{Network, SidePiece};
 use crate::members::threads::LinePiece;
-use crate::project::model::{Family, Patch, Project};
+use crate::project::model::{Distribution, Family, Patch};
 use std::collections::BTreeMap;
 
 /// A strip: families of patches whose members depend on each other.
@@ -28,7 +28,7 @@ pub(super) fn family_target(patch: &str, family: Family) -> String {
 
 /// The strips of patches in the order of the network, which holds their sides.
 pub(super) fn strip_groups(
-    project: &Project,
+    distribution: &Distribution,
     patches: &[Patch],
     network: &Network,
 ) -> Vec<StripGroup> {
@@ -73,14 +73,23 @@ pub(super) fn strip_groups(
                 .map(|&i| {
                     let (patch, family) = all[i];
                     let [start, end] = pieces[i].map(|piece| local(piece, &mut lines));
-                    passage(project, &patches[patch], family, start, end)
+                    passage(distribution, &patches[patch], family, start, end)
                 })
                 .collect();
             let (patch, family) = all[group[0]];
             StripGroup {
                 name: family_target(&patches[patch].name, family),
                 passages: group.iter().map(|&i| all[i]).collect(),
-                input: StripInput { passages },
+                input: StripInput {
+                    passages,
+                    closed: group.iter().any(|&i| {
+                        let (patch, family) = all[i];
+                        let named = |(name, asked): &(String, Family)| {
+                            *name == patches[patch].name && *asked == family
+                        };
+                        distribution.closed.iter().any(named)
+                    }),
+                },
             }
         })
         .collect()
@@ -127,7 +136,7 @@ fn pieces(network: &Network, patch: usize, family: Family) -> [LinePiece; 2] {
 }
 
 fn passage(
-    project: &Project,
+    distribution: &Distribution,
     patch: &Patch,
     family: Family,
     start: LinePiece,
@@ -139,8 +148,7 @@ fn passage(
     };
     let weight = |side: [usize; 2]| {
         let [a, b] = side.map(|corner| &patch.corners[corner]);
-        let said = project
-            .distribution
+        let said = distribution
             .weights
             .iter()
             .find(|([p, q], _)| (p, q) == (a, b) || (q, p) == (a, b));

@@ -42,6 +42,8 @@ pub struct PlannedStage {
     pub publishes: bool,
     /// Its key, if all dependencies are known.
     pub key: Option<Digest>,
+    /// Digest of its result, if that is known.
+    pub result: Option<Digest>,
     /// How long it took before.
     pub estimate: Option<Duration>,
 }

@@ -7,7 +7,7 @@
 //! one with the smallest area, which is also the one that differs most from the deployed state
 //! (paper, section 4.2).
 
-use super::{CladdingFunction, DistanceTable, PlanarQuad, TraceFailure, trace};
+use super::{CladdingFunction, DistanceTable, PlanarQuad, Survey, TraceFailure, survey, trace};
 use crate::layout::SideLengths;
 use crate::project::model::Family;
 use serde::{Deserialize, Serialize};
@@ -21,7 +21,7 @@ const LOCATE: f64 = 0.002 * DEGREE;
 const ROUND: f64 = 0.1 * DEGREE;
 /// A plan whose corner is this close to a straight angle has no defined corner when assembled,
 /// radians.
-const CONVEXITY: f64 = 3.0 * DEGREE;
+pub(super) const CONVEXITY: f64 = 3.0 * DEGREE;
 /// Flat lamellae of a family keep this share of their width as play between them.
 const PLAY: f64 = 0.1;
 /// Members that cross at a smaller planar angle share so long a contact that bolts cannot keep
@@ -131,6 +131,8 @@ pub struct AngleChoice {
     pub feasible: Vec<(f64, f64)>,
     /// The plan taken, or what stands against the angle that comes closest.
     pub taken: Result<Clad, Infeasible>,
+    /// Slopes where they come closest to the bounds, if no plan was taken.
+    pub survey: Option<Survey>,
 }
 
 /// The least bad angle of an infeasible patch.
@@ -222,6 +224,7 @@ pub fn choose_angle(maps: &Maps<'_>, demands: &Demands) -> AngleChoice {
                 alpha: 0.0,
                 obstacle,
             }),
+            survey: None,
         };
     };
     let steps = ((high - low) / SCAN).ceil().max(8.0) as u32;
@@ -270,10 +273,15 @@ pub fn choose_angle(maps: &Maps<'_>, demands: &Demands) -> AngleChoice {
         }
         None => Err(least_bad(&tried, angle)),
     };
+    let survey = taken
+        .is_err()
+        .then(|| survey(maps, demands.slope))
+        .flatten();
     AngleChoice {
         convex: Some((low, high)),
         feasible,
         taken,
+        survey,
     }
 }
 

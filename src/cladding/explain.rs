@@ -51,7 +51,7 @@ pub fn explain(choice: &AngleChoice, infeasible: &Infeasible, given: bool) -> Di
 type Words = (Code, String, &'static str, &'static str, String);
 
 fn describe(obstacle: &Obstacle, at: &str) -> Words {
-    let split = "move the corners so that the patch covers less of the curvature, or split it";
+    let split = "move the corners so that the patch covers less of the curvature, or split it (`egg split`)";
     match *obstacle {
         Obstacle::NotConvex(_) => (
             codes::NO_PLAN,

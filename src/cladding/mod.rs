@@ -7,6 +7,7 @@
 //! | the flat quadrilateral with one free angle | [`PlanarQuad`] |
 //! | the arc of equal distances | [`trace`], [`CladdingFunction`] |
 //! | the angle: feasible intervals and the most compact plan | [`choose_angle`], [`clad`] |
+//! | how far from it a patch is where there is none | [`survey`] |
 //! | why there is none, in words | [`explain`] |
 
 mod angle;
@@ -14,6 +15,7 @@ mod explain;
 mod function;
 mod maps;
 mod planar;
+mod survey;
 mod table;
 mod trace;
 
@@ -24,5 +26,6 @@ pub use explain::explain;
 pub use function::CladdingFunction;
 pub use maps::{SAMPLES, distance_table};
 pub use planar::{PlanarQuad, Point2};
+pub use survey::{Survey, survey};
 pub use table::{DistanceTable, nodes};
 pub use trace::{TraceFailure, trace};

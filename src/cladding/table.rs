@@ -77,6 +77,12 @@ impl DistanceTable {
         (value, [by_start, by_end])
     }
 
+    /// The longest distance of the table, metres.
+    pub fn longest(&self) -> f64 {
+        let squares = self.nodes.iter().map(|node| node[0]);
+        squares.fold(0.0, f64::max).sqrt()
+    }
+
     fn cell(&self, share: f64) -> (usize, f64) {
         let scaled = share.clamp(0.0, 1.0) * (self.n - 1) as f64;
         let cell = (scaled as usize).min(self.n - 2);

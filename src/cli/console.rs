@@ -1,8 +1,8 @@
 //! The terminal: the only place of the program that prints.
 
 use super::args::{ColorWhen, Global, MessageFormat};
-use crate::diagnostics::render::{Sources, Style, human, json_lines, printable};
-use crate::diagnostics::{Diagnostic, Severity};
+use crate::diagnostics::render::{Source, Sources, Style, human, json_lines, printable};
+use crate::diagnostics::{Diagnostic, Severity, SpanTable};
 use serde::Serialize;
 use std::io::{self, IsTerminal, Write};
 
@@ -11,10 +11,20 @@ use std::io::{self, IsTerminal, Write};
 pub(super) struct Console {
     format: MessageFormat,
     style: Style,
+    /// The style of results, on standard output.
+    results: Style,
     quiet: bool,
     terminal: bool,
     /// Standard output holds a document, so that records for programs go to standard error.
     document: bool,
+    told: Told,
+}
+
+/// Which diagnostics are told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Told {
+    Everything,
+    ErrorsOnly,
 }
 
 impl Console {
@@ -23,9 +33,11 @@ impl Console {
         Self {
             format: global.message_format,
             style: style(global.color, terminal),
+            results: style(global.color, io::stdout().is_terminal()),
             quiet: global.quiet,
             terminal,
             document: false,
+            told: Told::Everything,
         }
     }
 
@@ -37,9 +49,39 @@ impl Console {
         }
     }
 
+    /// The same for a command that looks at a project without judging it.
+    pub(super) fn with_errors_only(self) -> Self {
+        Self {
+            told: Told::ErrorsOnly,
+            ..self
+        }
+    }
+
+    /// Whether standard output is a terminal in which colours are wanted.
+    pub(super) fn colours_results(self) -> bool {
+        self.results == Style::Colour
+    }
+
+    /// Tells diagnostics that are about no file.
+    pub(super) fn tell_plainly(self, diagnostics: &[Diagnostic]) {
+        let spans = SpanTable::default();
+        let nowhere = Source { name: "", text: "" };
+        let sources = Sources {
+            project: nowhere,
+            spans: &spans,
+            mesh: None,
+        };
+        self.tell(diagnostics, &sources);
+    }
+
     /// Whether a progress bar can be drawn and is wanted.
     pub(super) fn draws_progress(self) -> bool {
         self.terminal && !self.quiet && self.format == MessageFormat::Human
+    }
+
+    /// Whether a table for people goes to standard output beside messages.
+    pub(super) fn prints_tables(self) -> bool {
+        !self.quiet && !self.is_json()
     }
 
     pub(super) fn is_json(self) -> bool {
@@ -48,9 +90,10 @@ impl Console {
 
     /// Tells diagnostics; `quiet` leaves errors only.
     pub(super) fn tell(self, diagnostics: &[Diagnostic], sources: &Sources<'_>) {
+        let wanted_all = !self.quiet && self.told == Told::Everything;
         let wanted: Vec<Diagnostic> = diagnostics
             .iter()
-            .filter(|d| !self.quiet || d.severity == Severity::Error)
+            .filter(|d| wanted_all || d.severity == Severity::Error)
             .cloned()
             .collect();
         match self.format {

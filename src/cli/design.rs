@@ -5,18 +5,26 @@ use super::exit::Exit;
 use crate::diagnostics::render::{Source, Sources};
 use crate::diagnostics::{Code, Diagnostic, File, Label, Place};
 use crate::project::model::Project;
-use crate::project::{Capability, Loaded, Notation, decode, load, unbuilt};
+use crate::project::{Capability, LengthText, Loaded, Notation, decode, load, unbuilt};
+use std::collections::BTreeSet;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 const UNREADABLE_MESH: Code = Code::new("E0901");
 const OUTSIDE: Code = Code::new("E0902");
 
 /// What the pipeline does beyond cutting lamellae from patches as they stand.
-const BUILT: [Capability; 4] = [
+const BUILT: [Capability; 10] = [
     Capability::SeveralPatches,
+    Capability::ClosedStrips,
+    Capability::Splitting,
+    Capability::Supports,
+    Capability::Stickers,
     Capability::Shells,
+    Capability::BedWindows,
     Capability::KerfCompensation,
+    Capability::Splices,
     Capability::Costs,
 ];
 
@@ -29,6 +37,8 @@ pub(super) struct Opened {
     pub(super) loaded: Loaded,
     /// The text of the mesh, if diagnostics point into it.
     mesh_text: Option<String>,
+    /// The contents of the mesh, if they do not lie on the disk.
+    mesh: Option<Arc<[u8]>>,
 }
 
 impl Opened {
@@ -42,28 +52,25 @@ impl Opened {
             );
             return Err(Exit::Usage);
         }
-        let notation = match path.extension().and_then(|e| e.to_str()) {
-            Some("ron") => Notation::Ron,
-            Some("toml") => Notation::Toml,
-            _ => {
-                console.complain(
-                    &format!("`{}` is no project file", path.display()),
-                    Some("project files end in .toml or .ron"),
-                );
-                return Err(Exit::Usage);
-            }
-        };
+        notation(console, &path)?;
         let bytes = std::fs::read(&path).map_err(|error| {
             console.complain(&format!("cannot read `{}`: {error}", path.display()), None);
             Exit::Usage
         })?;
+        Self::from_bytes(console, path, &bytes)
+    }
+
+    /// A project file whose contents are at hand; its path is for messages, and its name for a
+    /// project without one.
+    pub(super) fn from_bytes(console: Console, path: PathBuf, bytes: &[u8]) -> Result<Self, Exit> {
+        let notation = notation(console, &path)?;
         let stem = path
             .file_stem()
             .map_or_else(String::new, |s| s.to_string_lossy().into_owned());
-        let (text, mut loaded) = match decode(&bytes) {
+        let (text, mut loaded) = match decode(bytes) {
             Ok(text) => (text.to_owned(), load(text, notation, &stem)),
             Err(diagnostics) => {
-                let lossy = String::from_utf8_lossy(&bytes).into_owned();
+                let lossy = String::from_utf8_lossy(bytes).into_owned();
                 let empty = load("", notation, &stem);
                 (
                     lossy,
@@ -82,7 +89,21 @@ impl Opened {
             text,
             loaded,
             mesh_text: None,
+            mesh: None,
         })
+    }
+
+    /// The same with a mesh that is at hand and not on the disk.
+    pub(super) fn with_mesh(self, mesh: Arc<[u8]>) -> Self {
+        Self {
+            mesh: Some(mesh),
+            ..self
+        }
+    }
+
+    /// The text of the project file.
+    pub(super) fn text(&self) -> &str {
+        &self.text
     }
 
     /// The model, or the end of the command when there are errors.
@@ -96,6 +117,46 @@ impl Opened {
         let before = self.text.get(..start)?;
         let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
         Some(format!("{}:{line}", self.path.display()))
+    }
+
+    /// The lines of the project file on which these keys stand, each once and in their order:
+    /// `pavilion.toml:31  alpha = 40`. A key that the file leaves at its default has no line.
+    pub(super) fn lines_of<'a>(&self, keys: impl Iterator<Item = &'a str>) -> Vec<String> {
+        let lines: BTreeSet<usize> = keys
+            .filter_map(|key| self.loaded.spans.stands(key))
+            .filter_map(|place| self.text.get(..place.start))
+            .map(|before| before.matches('\n').count())
+            .collect();
+        let texts: Vec<&str> = self.text.lines().collect();
+        lines
+            .into_iter()
+            .filter_map(|line| {
+                let text = texts.get(line)?.trim();
+                Some(format!("  {}:{}  {text}", self.path.display(), line + 1))
+            })
+            .collect()
+    }
+
+    /// How the file is written: its notation and its unit of length.
+    pub(super) fn writing(&self) -> (Notation, LengthText) {
+        let notation = match self.path.extension().and_then(|e| e.to_str()) {
+            Some("ron") => Notation::Ron,
+            _ => Notation::Toml,
+        };
+        let key = "project.units";
+        let range = self.loaded.spans.value(key);
+        let said = self
+            .text
+            .get(range)
+            .filter(|_| self.loaded.spans.contains(key));
+        let units = said.map(|units| units.trim_matches(|c: char| !c.is_ascii_alphabetic()));
+        (notation, LengthText::of(units))
+    }
+
+    /// Whether a patch has lamellae of its own.
+    pub(super) fn overrides_lamella(&self, patch: &str) -> bool {
+        let key = crate::diagnostics::KeyPath::of(["lamella", patch]);
+        self.loaded.spans.contains(key.as_str())
     }
 
     /// The folder of the project file.
@@ -125,11 +186,7 @@ impl Opened {
             Ok(path)
         } else {
             let mesh = &project.surface.mesh;
-            let message = format!("the mesh `{mesh}` lies outside the project");
-            let error = Diagnostic::error(OUTSIDE, message).at_key("surface.mesh", "this file");
-            Err(error.help(
-                "copy it into the project's folder, so that whoever has the project has the mesh",
-            ))
+            Err(mesh_outside(mesh))
         }
     }
 
@@ -146,24 +203,26 @@ impl Opened {
         });
         if let Some(project) = self.loaded.project.as_ref().filter(|_| into_mesh) {
             let path = self.folder().join(&project.surface.mesh);
+            let bytes = match &self.mesh {
+                Some(bytes) => Some(bytes.to_vec()),
+                None => std::fs::read(path).ok(),
+            };
             // Byte ranges count bytes of the file; characters that are no UTF-8 keep one place
             // each, so that the places after them stay right.
-            self.mesh_text = std::fs::read(path)
-                .ok()
-                .map(|bytes| match String::from_utf8(bytes) {
-                    Ok(text) => text,
-                    Err(error) => error
-                        .into_bytes()
-                        .into_iter()
-                        .map(|byte| {
-                            if byte.is_ascii() {
-                                char::from(byte)
-                            } else {
-                                '?'
-                            }
-                        })
-                        .collect(),
-                });
+            self.mesh_text = bytes.map(|bytes| match String::from_utf8(bytes) {
+                Ok(text) => text,
+                Err(error) => error
+                    .into_bytes()
+                    .into_iter()
+                    .map(|byte| {
+                        if byte.is_ascii() {
+                            char::from(byte)
+                        } else {
+                            '?'
+                        }
+                    })
+                    .collect(),
+            });
         }
     }
 
@@ -210,6 +269,21 @@ impl Opened {
     }
 }
 
+/// The notation of a project file, by its name.
+fn notation(console: Console, path: &Path) -> Result<Notation, Exit> {
+    match path.extension().and_then(|e| e.to_str()) {
+        Some("ron") => Ok(Notation::Ron),
+        Some("toml") => Ok(Notation::Toml),
+        _ => {
+            console.complain(
+                &format!("`{}` is no project file", path.display()),
+                Some("project files end in .toml or .ron"),
+            );
+            Err(Exit::Usage)
+        }
+    }
+}
+
 /// The mesh is there or not, but it cannot be read.
 pub(super) fn unreadable_mesh(project: &Project, error: &io::Error) -> Diagnostic {
     let mesh = &project.surface.mesh;
@@ -219,6 +293,13 @@ pub(super) fn unreadable_mesh(project: &Project, error: &io::Error) -> Diagnosti
     )
     .at_key("surface.mesh", "this file")
     .help("paths are relative to the project file")
+}
+
+/// The mesh is not part of the project.
+pub(super) fn mesh_outside(mesh: &str) -> Diagnostic {
+    let message = format!("the mesh `{mesh}` lies outside the project");
+    let error = Diagnostic::error(OUTSIDE, message).at_key("surface.mesh", "this file");
+    error.help("copy it into the project's folder, so that whoever has the project has the mesh")
 }
 
 /// The project file that was named, or the one of the current folder.
@@ -278,14 +359,17 @@ fn find(console: Console) -> Result<PathBuf, Exit> {
 /// Other programs keep TOML files too (Cargo.toml), and egg writes plans as RON: a project has a
 /// `surface` with a `mesh`.
 fn is_project(path: &Path) -> bool {
+    std::fs::read_to_string(path).is_ok_and(|text| says_project(&text))
+}
+
+/// Whether a text names a mesh as the surface of a project.
+pub(super) fn says_project(text: &str) -> bool {
     let says = |line: &str, word: &str| {
         let mut words = line.split(|c: char| !(c.is_alphanumeric() || c == '_' || c == '-'));
         words.any(|one| one == word)
     };
-    std::fs::read_to_string(path).is_ok_and(|text| {
-        let mut lines = text
-            .lines()
-            .map(|line| line.split('#').next().unwrap_or(""));
-        lines.clone().any(|line| says(line, "surface")) && lines.any(|line| says(line, "mesh"))
-    })
+    let mut lines = text
+        .lines()
+        .map(|line| line.split('#').next().unwrap_or(""));
+    lines.clone().any(|line| says(line, "surface")) && lines.any(|line| says(line, "mesh"))
 }

@@ -11,6 +11,8 @@ pub(super) enum Exit {
     Errors,
     /// Wrong usage, or something that is not the project's fault.
     Usage,
+    /// There are differences, and the user asked to be told so.
+    Differences,
     /// The user stopped it.
     Interrupted,
 }
@@ -21,6 +23,7 @@ impl From<Exit> for ExitCode {
             Exit::Done => 0,
             Exit::Errors => 1,
             Exit::Usage => 2,
+            Exit::Differences => 3,
             Exit::Interrupted => 130,
         })
     }

@@ -3,16 +3,23 @@
 
 mod args;
 mod commands;
+mod config;
 mod console;
 mod design;
 mod exit;
+mod git;
 mod interrupt;
 mod progress;
 mod run;
+mod table;
 
+use crate::build::Request;
 use args::{Cli, Command};
 use clap::{CommandFactory, Parser};
-use commands::{build, cache, check, explain, export, graph, init, materials, schema, watch};
+use commands::{
+    build, cache, check, diff, explain, export, graph, init, lock, materials, schema, split,
+    verify, watch,
+};
 use console::Console;
 use exit::Exit;
 use std::process::ExitCode;
@@ -53,7 +60,21 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
     }
     let ended = match command {
         Command::Init { name } => Ok(init::run(console, &name)),
-        Command::Check { file } => check::run(console, &global, file.path.as_deref()),
+        Command::Check {
+            file,
+            format,
+            locked,
+        } => {
+            let held = if locked {
+                check::Held::Locked
+            } else {
+                check::Held::Free
+            };
+            check::run(console, &global, file.path.as_deref(), format, held)
+        }
+        Command::Split { file, workflow } => {
+            split::run(console, &global, file.path.as_deref(), workflow)
+        }
         Command::Build {
             file,
             selection,
@@ -64,9 +85,20 @@ fn dispatch(console: Console, cli: Cli) -> Exit {
             let run = if dry_run { build::dry_run } else { build::run };
             run(console, &global, file.path.as_deref(), &request)
         }
+        Command::Coupon { file } => {
+            let request = Request {
+                stages: vec!["coupon-files".to_owned()],
+                ..Request::default()
+            };
+            build::run(console, &global, file.path.as_deref(), &request)
+        }
+        Command::Verify { folder } => verify::run(console, &folder),
         Command::Export { file, format } => {
             export::run(console, &global, file.path.as_deref(), format)
         }
+        Command::Diff(arguments) => diff::run(console, &global, &arguments),
+        Command::Lock { file } => lock::run(console, &global, file.path.as_deref()),
+        Command::Git { command } => commands::git::run(console, &command),
         Command::Schema { of } => {
             schema::run(of);
             Ok(Exit::Done)

@@ -2,13 +2,14 @@
 
 use super::args::Global;
 use super::commands::cache;
+use super::config::Config;
 use super::console::Console;
 use super::design::{Opened, unreadable_mesh};
 use super::exit::Exit;
 use super::interrupt;
 use super::progress::Progress;
 use crate::build::graph::{Design, Extent, declare};
-use crate::build::{Built, Engine, Explanation, Graph, Request, Settings, SourceFile};
+use crate::build::{Built, Engine, Explanation, OutputCheck, Request, Settings, SourceFile};
 use crate::diagnostics::{Severity, without_allowed};
 use crate::project::model::Project;
 use std::path::PathBuf;
@@ -49,10 +50,40 @@ impl Job {
         })
     }
 
+    /// Prepares an engine for a project whose mesh is at hand and that publishes nothing; `memory`
+    /// names what the cache remembers of it.
+    pub(super) fn detached(
+        console: Console,
+        global: &Global,
+        opened: Opened,
+        mesh: SourceFile,
+        memory: PathBuf,
+    ) -> Result<Self, Exit> {
+        opened.tell(console, &opened.loaded.diagnostics);
+        opened.project()?;
+        Ok(Self {
+            engine: Engine::open(settings(console, global, &memory)?),
+            opened,
+            output: memory,
+            mesh,
+            console,
+        })
+    }
+
     /// Builds up to an extent; tells diagnostics.
     pub(super) fn build(&mut self, request: &Request, extent: Extent) -> Result<Built, Exit> {
         let cancel = interrupt::token();
         let progress = Progress::new(self.console);
+        // A graph that ends before the files has none to publish, and those of an earlier build
+        // stay.
+        let without_files = Request {
+            outputs: OutputCheck::Ignore,
+            ..request.clone()
+        };
+        let request = match extent {
+            Extent::Files => request,
+            Extent::Plan | Extent::Checks => &without_files,
+        };
         let (opened, mesh) = (&self.opened, &self.mesh);
         let project = opened.project()?;
         let design = Design {
@@ -62,7 +93,7 @@ impl Job {
         };
         let built = self.engine.build(
             request,
-            &|graph: &mut Graph<'_>| declare(graph, design, extent),
+            &|graph| declare(graph, design, extent),
             &cancel,
             &mut |event| progress.show(event),
         );
@@ -85,7 +116,7 @@ impl Job {
         extent: Extent,
     ) -> Result<crate::build::Plan, Exit> {
         let design = self.design()?;
-        Ok(self.engine.plan(request, &|graph: &mut Graph<'_>| {
+        Ok(self.engine.plan(request, &|graph| {
             declare(graph, design, extent);
         }))
     }
@@ -97,7 +128,7 @@ impl Job {
         extent: Extent,
     ) -> Result<Option<Explanation>, Exit> {
         let design = self.design()?;
-        Ok(self.engine.explain(subject, &|graph: &mut Graph<'_>| {
+        Ok(self.engine.explain(subject, &|graph| {
             declare(graph, design, extent);
         }))
     }
@@ -127,7 +158,7 @@ impl Job {
     }
 }
 
-fn output_directory(global: &Global, opened: &Opened, project: &Project) -> PathBuf {
+pub(super) fn output_directory(global: &Global, opened: &Opened, project: &Project) -> PathBuf {
     let folder = crate::fabrication::names::file_name(&project.name);
     global
         .out
@@ -136,8 +167,10 @@ fn output_directory(global: &Global, opened: &Opened, project: &Project) -> Path
 }
 
 fn settings(console: Console, global: &Global, output: &std::path::Path) -> Result<Settings, Exit> {
-    let cache = cache::directory(console, global)?;
+    let config = Config::read(console)?;
+    let cache = cache::directory(console, global, &config)?;
     let mut settings = Settings::new(cache, output);
+    settings.limits = config.limits();
     if let Some(jobs) = global.jobs {
         settings.jobs = jobs.into();
     }

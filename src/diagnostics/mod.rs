@@ -114,6 +114,21 @@ impl Diagnostic {
         }
     }
 
+    /// The same with names for `{.field}` in its texts; a field without a name is left out with
+    /// its braces.
+    #[must_use]
+    pub fn with_names<'n>(&self, name: &dyn Fn(&str) -> Option<&'n str>) -> Self {
+        let told = |text: &String| named(text, name);
+        let mut this = self.clone();
+        this.message = told(&this.message);
+        this.notes = this.notes.iter().map(told).collect();
+        this.help = this.help.as_ref().map(told);
+        for label in &mut this.labels {
+            label.text = told(&label.text);
+        }
+        this
+    }
+
     /// Adds a label at a key path of the project.
     #[must_use]
     pub fn at_key(self, key: impl Into<String>, text: impl Into<String>) -> Self {
@@ -188,3 +203,27 @@ pub struct Warned<T> {
 /// What a stage that can fail through its input returns: all its errors, not only the first
 /// (warnings may stand among them).
 pub type Checked<T> = Result<Warned<T>, Vec<Diagnostic>>;
+
+/// A text with names for `{.field}`.
+fn named<'n>(text: &str, name: &dyn Fn(&str) -> Option<&'n str>) -> String {
+    let mut told = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some((before, after)) = rest.split_once("{.") {
+        let Some((field, behind)) = after.split_once('}') else {
+            break;
+        };
+        told.push_str(before);
+        match name(field) {
+            Some(name) => {
+                told.push('`');
+                told.push_str(name);
+                told.push('`');
+            }
+            // One word, and the blank before it.
+            None => told.truncate(told.trim_end().len()),
+        }
+        rest = behind;
+    }
+    told.push_str(rest);
+    told
+}

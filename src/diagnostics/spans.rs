@@ -48,6 +48,18 @@ impl SpanTable {
         self.places.contains_key(path)
     }
 
+    /// Where the value at this path stands, or the nearest one that it is a part of; `None` where
+    /// that is a whole table, so that the file says nothing about it.
+    pub fn stands(&self, path: &str) -> Option<Range<usize>> {
+        let (found, spans) = self.nearest(path)?;
+        let inside = format!("{found}.");
+        let mut after = self.places.range(inside.clone()..);
+        let holds_keys = after
+            .next()
+            .is_some_and(|(next, _)| next.starts_with(&inside));
+        (found == path || !holds_keys).then(|| spans.value.clone())
+    }
+
     /// Whether the file says anything at this path or at one of its ancestors; it always does at
     /// the root.
     pub fn reaches(&self, path: &str) -> bool {
@@ -70,6 +82,20 @@ impl SpanTable {
             Some((_, spans)) => spans.value.clone(),
             None => self.end..self.end,
         }
+    }
+
+    /// Paths of all values that hold no others, in order, with where they stand.
+    pub fn leaves(&self) -> impl Iterator<Item = (&str, Range<usize>)> {
+        let holds = |path: &String| {
+            let below = self.places.range(path.clone()..).skip(1);
+            below
+                .map_while(|(other, _)| other.strip_prefix(path.as_str()))
+                .any(|rest| rest.starts_with(['.', '[']))
+        };
+        self.places
+            .iter()
+            .filter(move |(path, _)| !holds(path))
+            .map(|(path, spans)| (&**path, spans.value.clone()))
     }
 
     fn nearest<'a>(&self, path: &'a str) -> Option<(&'a str, &Spans)> {
@@ -97,7 +123,12 @@ mod tests {
         assert_eq!(table.value("patches.west.members.u"), 9..15);
         assert_eq!(table.name("patches.west.members.u"), 9..15);
         assert_eq!(table.value("lamella.width"), 90..90);
+        assert_eq!(table.stands("patches.west.alpha.x"), Some(28..30));
+        assert_eq!(table.stands("patches.west"), Some(9..15));
+        assert_eq!(table.stands("patches.west.members.u"), None);
         assert!(table.reaches("patches.west.alpha.x") && table.reaches(""));
         assert!(!table.reaches("lamella.width"));
+        let leaves: Vec<&str> = table.leaves().map(|(path, _)| path).collect();
+        assert_eq!(leaves, ["patches.west.alpha"]);
     }
 }

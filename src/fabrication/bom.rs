@@ -4,17 +4,20 @@
 //! every node, shells and stickers from the crossings that slide. Spares are a twentieth,
 //! rounded up, at least two. Rows stand in the order of categories and of their ids.
 
-use super::hardware::{SHELL_EXCESS, Series, TUBE_SAW, tube_mass_per_metre};
+use super::hardware::{Fastener, SHELL_EXCESS, Series, TUBE_SAW, tube_mass_per_metre};
 use super::index::PlanIndex;
 use super::nesting::Group;
 use super::nodes::{Node, nodes};
-use super::part::{contact_reach, net_area};
+use super::part::net_area;
 use super::sheet::trim;
+use super::splicing;
+use super::supports::drawing::layers;
+use super::supports::{WEDGE_EDGE, thinnest_sheet};
 use super::units::MM;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Warned};
-use crate::plan::{BomRow, Plan};
-use crate::project::model::{Hardware, Material, Stock};
+use crate::plan::{BomRow, Plan, SupportBody, SupportRecord};
+use crate::project::model::{Hardware, Material, Stock, SupportKind};
 use std::collections::BTreeMap;
 
 /// What the bill depends on besides the plan.
@@ -30,16 +33,23 @@ pub struct Shopping<'a> {
     pub groups: &'a [Group],
 }
 
-/// The rows. Fails if no bolt of the series is long enough.
+/// The rows of a plan that has its stickers and supports. Fails if no bolt of the series is long
+/// enough.
 pub fn rows(plan: &Plan, shopping: &Shopping<'_>) -> Checked<Vec<BomRow>> {
     let index = PlanIndex::new(plan);
     let bolt = &shopping.hardware.bolt;
     let nodes = nodes(&plan.crossings, &index, 0.25 * bolt.diameter);
     let mut rows = panels(shopping);
     rows.extend(lamellae(plan, shopping));
-    rows.extend(fasteners(&nodes, shopping)?);
+    rows.extend(fasteners(plan, &nodes, shopping)?);
     rows.extend(shells(&nodes, shopping));
-    rows.extend(stickers(plan, &index, &nodes, shopping));
+    rows.extend(stickers(plan, shopping));
+    rows.extend(supports(plan, shopping));
+    rows.extend(splicing::shopping::rows(
+        plan,
+        shopping.hardware,
+        shopping.materials,
+    )?);
     rows.extend(coating(plan));
     Ok(Warned {
         value: rows,
@@ -131,24 +141,32 @@ fn lamellae(plan: &Plan, shopping: &Shopping<'_>) -> Vec<BomRow> {
         .collect()
 }
 
-fn fasteners(nodes: &[Node<'_>], shopping: &Shopping<'_>) -> Result<Vec<BomRow>, Vec<Diagnostic>> {
+fn fasteners(
+    plan: &Plan,
+    nodes: &[Node<'_>],
+    shopping: &Shopping<'_>,
+) -> Result<Vec<BomRow>, Vec<Diagnostic>> {
     let bolt = &shopping.hardware.bolt;
     let Some(series) = Series::of(bolt.diameter) else {
         return Err(super::hardware::check(shopping.hardware));
     };
-    let foil = shopping
-        .hardware
-        .sticker
-        .as_ref()
-        .map_or(0.0, |s| s.thickness);
     // Lengths in micrometres, which compare exactly.
     let mut lengths: BTreeMap<u64, usize> = BTreeMap::new();
+    let mut rods: BTreeMap<u64, usize> = BTreeMap::new();
+    let (mut nuts, mut washers) = (0, 0);
     for node in nodes {
-        let stack = node.lamellae_thickness + 2.0 * foil * node.sliding as f64;
-        match series.bolt_length(stack) {
-            Ok(length) => *lengths.entry((length * 1e6) as u64).or_default() += 1,
-            Err(need) => return Err(vec![too_short(node, series, need, &bolt.name)]),
-        }
+        let fixing = node.fixing(&plan.supports, shopping.hardware);
+        let (length, kind) = match fixing.fastener {
+            Some(Fastener::Bolt(length)) => (length, &mut lengths),
+            Some(Fastener::Rod(length)) => (length, &mut rods),
+            None => {
+                let need = series.bolt_length(fixing.stack).unwrap_or_else(|need| need);
+                return Err(vec![too_short(node, series, need, &bolt.name)]);
+            }
+        };
+        *kind.entry(libm::round(length * 1e6) as u64).or_default() += 1;
+        nuts += fixing.nuts;
+        washers += fixing.washers;
     }
     let piece = |id: String, description: &str, specification: String, count: usize, mass| BomRow {
         id,
@@ -178,18 +196,29 @@ fn fasteners(nodes: &[Node<'_>], shopping: &Shopping<'_>) -> Result<Vec<BomRow>,
             )
         })
         .collect();
+    rows.extend(rods.into_iter().map(|(micrometres, count)| {
+        let length = micrometres as f64 * 1e-6;
+        let millimetres = trim(length * MM);
+        piece(
+            format!("rod-{key}x{millimetres}"),
+            "threaded rod, cut to length",
+            format!("DIN 976 {name}x{millimetres}"),
+            count,
+            series.rod_mass(length),
+        )
+    }));
     rows.push(piece(
         format!("nut-{key}"),
         "lock nut",
         format!("DIN 985 {name}"),
-        nodes.len(),
+        nuts,
         series.nut_mass(),
     ));
     rows.push(piece(
         format!("washer-{key}"),
         "washer, large",
         format!("{} {name}", series.washer_standard),
-        2 * nodes.len(),
+        washers,
         series.washer_mass(),
     ));
     Ok(rows)
@@ -218,14 +247,9 @@ fn shells(nodes: &[Node<'_>], shopping: &Shopping<'_>) -> Vec<BomRow> {
     let Some(shell) = &shopping.hardware.shell else {
         return Vec::new();
     };
-    let foil = shopping
-        .hardware
-        .sticker
-        .as_ref()
-        .map_or(0.0, |s| s.thickness);
     let mut cuts: BTreeMap<u64, usize> = BTreeMap::new();
     for node in nodes.iter().filter(|node| node.sliding > 0) {
-        let stack = node.lamellae_thickness + 2.0 * foil * node.sliding as f64 + SHELL_EXCESS;
+        let stack = node.fixing(&[], shopping.hardware).stack + SHELL_EXCESS;
         *cuts.entry(libm::round(stack * 1e6) as u64).or_default() += 1;
     }
     let mass = tube_mass_per_metre(shell);
@@ -266,66 +290,148 @@ fn shells(nodes: &[Node<'_>], shopping: &Shopping<'_>) -> Vec<BomRow> {
     rows
 }
 
-/// Two stickers at each crossing that slides, one for each face in contact, and the foil for
-/// them with its offcuts.
-fn stickers(
-    plan: &Plan,
-    index: &PlanIndex<'_>,
-    nodes: &[Node<'_>],
-    shopping: &Shopping<'_>,
-) -> Vec<BomRow> {
+/// Stickers, and the sheets of foil for them.
+fn stickers(plan: &Plan, shopping: &Shopping<'_>) -> Vec<BomRow> {
     let Some(sticker) = &shopping.hardware.sticker else {
         return Vec::new();
     };
-    let count: usize = nodes.iter().map(|node| 2 * node.sliding).sum();
+    let count = plan.stickers.len();
     if count == 0 {
         return Vec::new();
     }
-    let mut area = 0.0;
-    for crossing in &plan.crossings {
-        if !super::nodes::slides(crossing, index) {
-            continue;
-        }
-        let [Some(u), Some(v)] = [&crossing.u, &crossing.v].map(|m| index.lamella_of(m)) else {
-            continue;
-        };
-        let slide = |on: crate::plan::Positions| (on.surface - on.planar).abs();
-        for (own, other, on) in [(u, v, crossing.on_u), (v, u, crossing.on_v)] {
-            let reach = contact_reach(own.width, other.width, crossing) + sticker.margin;
-            area += (2.0 * reach + slide(on)) * own.width;
-        }
-    }
-    let specification = format!(
-        "{} {} mm, self-adhesive",
-        sticker.foil,
-        trim(sticker.thickness * MM)
-    );
+    let area: f64 = plan.stickers.iter().map(super::stickers::area_of).sum();
+    let density = foil_density(&sticker.foil);
+    let weight = |area: f64| density.map(|density| density * area * sticker.thickness);
+    let foil = format!("{} {} mm", sticker.foil, trim(sticker.thickness * MM));
+    let [length, width] = sticker.sheet;
     vec![
         BomRow {
             id: "sticker".to_owned(),
             category: "friction".to_owned(),
-            description: "sticker, one for each face in contact".to_owned(),
+            description: "sticker, one for each face in contact, cut from the foil".to_owned(),
             material: sticker.foil.clone(),
-            specification: specification.clone(),
+            specification: format!("{foil}, {} cm2 in all", trim(area * 1e4)),
             quantity: count as f64,
             unit: "pcs".to_owned(),
             spare: spare(count),
-            unit_mass: None,
+            unit_mass: weight(area / count as f64),
             unit_cost: None,
         },
         BomRow {
             id: "foil".to_owned(),
             category: "friction".to_owned(),
-            description: "foil for the stickers, without offcuts".to_owned(),
+            description: "sheet of foil for the stickers".to_owned(),
             material: sticker.foil.clone(),
-            specification,
-            quantity: area,
-            unit: "m2".to_owned(),
-            spare: 0.0,
-            unit_mass: None,
+            specification: format!(
+                "{foil}, self-adhesive, {} x {} mm",
+                trim(length * MM),
+                trim(width * MM)
+            ),
+            quantity: plan.foils.len() as f64,
+            unit: "pcs".to_owned(),
+            spare: 1.0,
+            unit_mass: weight(length * width),
             unit_cost: None,
         },
     ]
+}
+
+/// kg/m^3 of the foils that slide, adhesive not counted.
+fn foil_density(foil: &str) -> Option<f64> {
+    let upper = foil.to_ascii_uppercase();
+    [("PTFE", 2200.0), ("PE", 940.0)]
+        .into_iter()
+        .find(|(name, _)| upper.contains(name))
+        .map(|(_, density)| density)
+}
+
+/// Feet, blocks, wedges, and what they are made of.
+fn supports(plan: &Plan, shopping: &Shopping<'_>) -> Vec<BomRow> {
+    let bodies: Vec<(&SupportRecord, SupportBody)> = plan
+        .supports
+        .iter()
+        .filter_map(|support| Some((support, support.body?)))
+        .collect();
+    let Some((first, _)) = bodies.first() else {
+        return Vec::new();
+    };
+    let mass: f64 = bodies.iter().map(|(_, body)| body.mass).sum();
+    let row = |id: &str, description: &str, material: &str, specification: String| BomRow {
+        id: id.to_owned(),
+        category: "support".to_owned(),
+        description: description.to_owned(),
+        material: material.to_owned(),
+        specification,
+        quantity: bodies.len() as f64,
+        unit: "pcs".to_owned(),
+        spare: 0.0,
+        unit_mass: None,
+        unit_cost: None,
+    };
+    let bulk = |row: BomRow, mass: f64| BomRow {
+        quantity: mass,
+        unit: "kg".to_owned(),
+        unit_mass: Some(1.0),
+        ..row
+    };
+    let litres: f64 = bodies.iter().map(|(_, body)| body.volume * 1e3).sum();
+    if first.kind == SupportKind::Printed {
+        return vec![
+            row(
+                "foot",
+                "printed foot",
+                "",
+                "supports/*.stl, supports/supports.3mf".to_owned(),
+            ),
+            bulk(
+                row(
+                    "filament",
+                    "filament for solid feet",
+                    "PLA",
+                    format!("{litres:.2} l; a fill of 30 % takes about half"),
+                ),
+                mass,
+            ),
+        ];
+    }
+    let sides = bodies.iter().map(|(_, body)| body.foot * MM);
+    let [least, most] = sides.fold([f64::INFINITY, 0.0], |[a, b], v| [a.min(v), b.max(v)]);
+    let range = if most - least < 0.5 {
+        format!("{} mm square", trim(most))
+    } else {
+        format!("{} to {} mm square", trim(least), trim(most))
+    };
+    let mut rows = vec![
+        row("block", "block of concrete", "concrete", range),
+        bulk(
+            row(
+                "concrete",
+                "concrete for the blocks",
+                "concrete",
+                format!("{litres:.1} l"),
+            ),
+            mass,
+        ),
+    ];
+    if first.kind == SupportKind::WedgeOnBlock {
+        let thickness = thinnest_sheet(plan).unwrap_or(WEDGE_EDGE);
+        let sides: usize = bodies.iter().map(|(_, body)| layers(body, thickness)).sum();
+        rows.push(row(
+            "wedge",
+            "wooden wedge, sides cut from sheet and glued",
+            "",
+            format!("{sides} sides of {} mm", trim(thickness * MM)),
+        ));
+    }
+    if let Some(series) = Series::of(shopping.hardware.bolt.diameter) {
+        rows.push(row(
+            "sleeve",
+            "threaded sleeve to cast or screw in",
+            "steel",
+            format!("M{}", trim(series.diameter)),
+        ));
+    }
+    rows
 }
 
 /// Both faces and the edges of all lamellae.

@@ -1,8 +1,10 @@
 //! Bolts, nuts and washers of the metric series, as dealers keep them.
 //!
 //! Dimensions in millimetres after ISO 7380-1 (button head; ISO 4762 below M3), DIN 985 (lock
-//! nuts) and ISO 7093-1 (large washers; ISO 7089 below M3). Masses are computed from these
-//! dimensions and are good to a tenth.
+//! nuts) and ISO 7093-1 (large washers; ISO 7089 below M3); above M12 hexagon heads after ISO
+//! 4014. Where more lamellae meet than the longest bolt goes through, threaded rod (DIN 976) is cut
+//! to length, with a nut at either end. Masses are computed from these dimensions and are good to a
+//! tenth.
 
 use super::units::MM;
 use crate::diagnostics::Diagnostic;
@@ -27,6 +29,22 @@ pub const SHELL_EXCESS: f64 = 0.2e-3;
 
 /// Kerf of the saw that cuts tubes, metres.
 pub const TUBE_SAW: f64 = 1.0e-3;
+
+/// Threaded rod is cut to multiples of this, millimetres.
+const ROD_STEP: f64 = 5.0;
+
+/// Thinner rod than this, millimetres, is not what a stack of lamellae is held by: they would ask
+/// for a larger bolt.
+const ROD_FROM: f64 = 8.0;
+
+/// What goes through a connection.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Fastener {
+    /// A bolt of this length under its head, metres; one nut.
+    Bolt(f64),
+    /// Threaded rod cut to this length, metres; two nuts.
+    Rod(f64),
+}
 
 /// Threads that stand out of a nut.
 const FREE_THREADS: f64 = 2.0;
@@ -53,9 +71,10 @@ pub struct Series {
 }
 
 /// Lengths of bolts under the head, millimetres (ISO 888).
-const LENGTHS: [f64; 23] = [
+const LENGTHS: [f64; 33] = [
     4.0, 5.0, 6.0, 8.0, 10.0, 12.0, 16.0, 20.0, 25.0, 30.0, 35.0, 40.0, 45.0, 50.0, 55.0, 60.0,
-    65.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0,
+    65.0, 70.0, 80.0, 90.0, 100.0, 110.0, 120.0, 130.0, 140.0, 150.0, 160.0, 180.0, 200.0, 220.0,
+    240.0, 260.0, 300.0,
 ];
 
 const fn button(
@@ -93,8 +112,22 @@ const fn small(
     }
 }
 
+const fn hexagon(
+    diameter: f64,
+    pitch: f64,
+    head: [f64; 2],
+    lengths: [f64; 2],
+    nut: [f64; 2],
+    washer: [f64; 3],
+) -> Series {
+    Series {
+        bolt_standard: "ISO 4014",
+        ..button(diameter, pitch, head, lengths, nut, washer)
+    }
+}
+
 /// The series.
-const SERIES: [Series; 9] = [
+const SERIES: [Series; 14] = [
     small(
         2.0,
         0.4,
@@ -167,6 +200,46 @@ const SERIES: [Series; 9] = [
         [19.0, 12.0],
         [13.0, 37.0, 3.0],
     ),
+    hexagon(
+        14.0,
+        2.0,
+        [21.0, 8.8],
+        [60.0, 140.0],
+        [22.0, 14.0],
+        [15.0, 44.0, 3.0],
+    ),
+    hexagon(
+        16.0,
+        2.0,
+        [24.0, 10.0],
+        [65.0, 160.0],
+        [24.0, 16.0],
+        [17.0, 50.0, 3.0],
+    ),
+    hexagon(
+        20.0,
+        2.5,
+        [30.0, 12.5],
+        [80.0, 200.0],
+        [30.0, 20.0],
+        [22.0, 60.0, 4.0],
+    ),
+    hexagon(
+        24.0,
+        3.0,
+        [36.0, 15.0],
+        [90.0, 240.0],
+        [36.0, 24.0],
+        [26.0, 72.0, 5.0],
+    ),
+    hexagon(
+        30.0,
+        3.5,
+        [46.0, 18.7],
+        [110.0, 300.0],
+        [46.0, 30.0],
+        [33.0, 92.0, 6.0],
+    ),
 ];
 
 impl Series {
@@ -181,19 +254,46 @@ impl Series {
     /// and the nut with two threads to spare.
     pub fn bolt_length(&self, stack: f64) -> Result<f64, f64> {
         let need = stack * MM + 2.0 * self.washer[2] + self.nut[1] + FREE_THREADS * self.pitch;
+        self.length_of(need / MM).ok_or(need / MM)
+    }
+
+    /// Shortest bolt that is at least so long under the head, metres.
+    pub fn length_of(&self, need: f64) -> Option<f64> {
         LENGTHS
             .into_iter()
             .filter(|length| (self.lengths[0]..=self.lengths[1]).contains(length))
-            .find(|length| *length >= need - 1e-9)
+            .find(|length| *length >= need * MM - 1e-9)
             .map(|length| length / MM)
-            .ok_or(need / MM)
+    }
+
+    /// What holds a stack of lamellae and foils, metres: the shortest bolt, or rod where no bolt
+    /// is long enough.
+    pub fn fastener(&self, stack: f64) -> Result<Fastener, f64> {
+        self.bolt_length(stack).map(Fastener::Bolt).or_else(|need| {
+            if self.diameter < ROD_FROM {
+                return Err(need);
+            }
+            let with_second_nut = need * MM + self.nut[1] + FREE_THREADS * self.pitch;
+            Ok(Fastener::Rod(
+                libm::ceil(with_second_nut / ROD_STEP - 1e-9) * ROD_STEP / MM,
+            ))
+        })
     }
 
     /// Mass of a bolt, kilograms: shank of the pitch diameter, head less its socket.
     pub fn bolt_mass(&self, length: f64) -> f64 {
-        let shank = disc(self.diameter - 0.65 * self.pitch) * length * MM;
-        let head = 0.68 * disc(self.head[0]) * self.head[1];
-        (shank + head) * STEEL * 1e-9
+        let [across, height] = self.head;
+        let head = if self.bolt_standard == "ISO 4014" {
+            0.75_f64.sqrt() * across * across * height
+        } else {
+            0.68 * disc(across) * height
+        };
+        self.rod_mass(length) + head * STEEL * 1e-9
+    }
+
+    /// Mass of threaded rod, kilograms: its pitch diameter.
+    pub fn rod_mass(&self, length: f64) -> f64 {
+        disc(self.diameter - 0.65 * self.pitch) * length * MM * STEEL * 1e-9
     }
 
     /// Mass of a nut, kilograms: a hexagon less its bore, nine tenths of it steel.
@@ -224,6 +324,9 @@ pub fn tube_mass_per_metre(shell: &Shell) -> Option<f64> {
 /// nominal diameter slides over them.
 const FIT: f64 = 1e-6;
 
+/// Bores that are wider than the bolt by more than this leave the shell askew, metres.
+const LOOSE: f64 = 0.5e-3;
+
 /// Hardware that cannot be bought or does not go together.
 pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
     let mut errors = Vec::new();
@@ -234,7 +337,7 @@ pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
                 format!("no standard series for the bolt `{}`", hardware.bolt.name),
             )
             .at_key("hardware.bolt", "not in the series")
-            .help("M2, M2.5, M3, M4, M5, M6, M8, M10 and M12 are known"),
+            .help("M2, M2.5, M3, M4, M5, M6, M8, M10, M12, M14, M16, M20, M24 and M30 are known"),
         );
     }
     if let Some(shell) = &hardware.shell {
@@ -253,6 +356,24 @@ pub fn check(hardware: &Hardware) -> Vec<Diagnostic> {
                 .at_key("hardware.shell", "too narrow")
                 .help(format!(
                     "a tube with a bore of {:.1} mm slides over the bolt",
+                    hardware.bolt.diameter * MM + 0.1
+                )),
+            );
+        } else if bore > hardware.bolt.diameter + LOOSE + FIT {
+            errors.push(
+                Diagnostic::warning(
+                    codes::SHELL_LOOSE,
+                    format!(
+                        "the shell `{}` has a bore of {:.2} mm, {:.2} mm wider than the bolt {}",
+                        shell.name,
+                        bore * MM,
+                        (bore - hardware.bolt.diameter) * MM,
+                        hardware.bolt.name
+                    ),
+                )
+                .at_key("hardware.shell", "loose")
+                .help(format!(
+                    "a tube with a bore of {:.1} mm stands straight on the bolt",
                     hardware.bolt.diameter * MM + 0.1
                 )),
             );

@@ -27,8 +27,8 @@ pub struct Strip {
     pub length: f64,
     /// Millimetres.
     pub width: f64,
-    /// At both ends, where the outline is rounded.
-    pub round: f64,
+    /// At both ends, where the outline is rounded or a joint.
+    pub ends: [f64; 2],
     /// Openings in order.
     pub openings: Vec<Place>,
 }
@@ -40,8 +40,10 @@ pub struct Place {
     pub opening: [f64; 2],
     /// First and last millimetre that the crossing lamella covers.
     pub contact: [f64; 2],
-    /// Who crosses there.
+    /// Who crosses there; empty for screws.
     pub label: String,
+    /// Arrow in the direction in which the bolt slides from its flat to its deployed place.
+    pub slide: Option<&'static str>,
 }
 
 /// Labels on a strip.
@@ -57,10 +59,23 @@ pub struct Labels {
 pub fn place(strip: &Strip, end_label: [&str; 2], height: f64) -> Labels {
     let mut labels = Labels::default();
     let mut free = Free::new(strip);
-    for place in &strip.openings {
-        match free.beside(strip, place, height) {
+    for place in strip
+        .openings
+        .iter()
+        .filter(|place| !place.label.is_empty())
+    {
+        let whole = format!("{}{}", place.label, place.slide.unwrap_or_default());
+        match free.beside(strip, place, &whole, height) {
             Some(text) => labels.texts.push(text),
-            None => labels.omitted.push(place.label.clone()),
+            None => {
+                // Better a name without an arrow than neither.
+                if place.slide.is_some()
+                    && let Some(text) = free.beside(strip, place, &place.label, height)
+                {
+                    labels.texts.push(text);
+                }
+                labels.omitted.push(whole);
+            }
         }
     }
     for end in [End::Start, End::End] {
@@ -70,6 +85,20 @@ pub fn place(strip: &Strip, end_label: [&str; 2], height: f64) -> Labels {
         }
     }
     labels
+}
+
+/// One label in the longest free stretch of a strip, if one takes it.
+pub fn single(strip: &Strip, label: &str, height: f64) -> Option<Text> {
+    let free = Free::new(strip);
+    let longest = free
+        .open
+        .into_iter()
+        .max_by(|a, b| (a[1] - a[0]).total_cmp(&(b[1] - b[0])))?;
+    let room = longest[1] - longest[0];
+    let height = height.min(room / stroke_font::width(label));
+    let fits = height >= LEAST_HEIGHT && fits_across(strip, 1, height);
+    let x = 0.5 * (longest[0] + longest[1] - stroke_font::width(label) * height);
+    fits.then(|| Text::new(label, [x, baseline(strip, 1, 0, height)], height))
 }
 
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -87,10 +116,8 @@ struct Free {
 
 impl Free {
     fn new(strip: &Strip) -> Self {
-        let whole = [
-            strip.round.max(CLEAR),
-            strip.length - strip.round.max(CLEAR),
-        ];
+        let [start, end] = strip.ends.map(|end| end.max(CLEAR));
+        let whole = [start, strip.length - end];
         let mut free = Self {
             open: vec![whole],
             uncovered: vec![whole],
@@ -112,14 +139,14 @@ impl Free {
 
     /// The label of an opening, after it if possible, before it otherwise, never beyond the next
     /// opening; uncovered places before covered ones, full height before shrunk.
-    fn beside(&mut self, strip: &Strip, place: &Place, height: f64) -> Option<Text> {
+    fn beside(&mut self, strip: &Strip, place: &Place, label: &str, height: f64) -> Option<Text> {
         let heights = [height, LEAST_HEIGHT.min(height)];
         let choices = heights
             .iter()
             .map(|&h| (&self.uncovered, place.contact, h))
             .chain(heights.iter().map(|&h| (&self.open, place.opening, h)));
         for (free, around, h) in choices {
-            let length = stroke_font::width(&place.label) * h;
+            let length = stroke_font::width(label) * h;
             if !fits_across(strip, 1, h) {
                 continue;
             }
@@ -132,7 +159,7 @@ impl Free {
                 .find(|[start, end]| touches(*end, around[0]) && end - start >= length)
                 .map(|[_, end]| end - length);
             if let Some(x) = after.or(before) {
-                let text = Text::new(&place.label, [x, baseline(strip, 1, 0, h)], h);
+                let text = Text::new(label, [x, baseline(strip, 1, 0, h)], h);
                 self.take([x, x + length], h);
                 return Some(text);
             }
@@ -228,6 +255,7 @@ mod tests {
             opening: [at - 2.0, at + 2.0],
             contact: [at - 6.0, at + 6.0],
             label: label.to_owned(),
+            slide: None,
         }
     }
 
@@ -235,7 +263,7 @@ mod tests {
         Strip {
             length,
             width,
-            round: width / 2.0,
+            ends: [width / 2.0; 2],
             openings: holes.iter().map(|&at| hole(at, "v05")).collect(),
         }
     }
@@ -250,6 +278,12 @@ mod tests {
         assert!(labels.omitted.is_empty());
         assert_eq!(labels.texts.len(), 5);
         assert!(labels.texts.iter().all(|t| t.height == 3.0));
+        // Nothing covers them: no sticker is glued over a label.
+        for text in &labels.texts {
+            let bounds = text.bounds();
+            let covered = |&at: &f64| bounds.max[0] > at - 6.0 && bounds.min[0] < at + 6.0;
+            assert!(![12.0, 100.0, 288.0].iter().any(covered), "{text:?}");
+        }
     }
 
     #[test]
@@ -268,6 +302,34 @@ mod tests {
         assert!(!crowded.omitted.is_empty());
         let narrow = place(&strip(300.0, 4.0, &[12.0]), ["west.u03", "→ TOP"], 3.0);
         assert_eq!(narrow.omitted.len(), 3);
+    }
+
+    #[test]
+    fn a_notch_is_labelled_with_an_arrow_or_at_least_with_a_name() {
+        let notched = |length: f64| {
+            let mut strip = strip(length, 12.0, &[0.5 * length]);
+            strip.openings[0].slide = Some("←");
+            place(&strip, ["west.u03", "→ TOP"], 3.0)
+        };
+        let roomy = notched(200.0);
+        assert!(roomy.texts.iter().any(|t| t.content == "v05←"));
+        assert!(roomy.omitted.is_empty());
+        // Between the notch and the rounding: room for the name alone.
+        let name = stroke_font::width("v05") * LEAST_HEIGHT;
+        let arrow = stroke_font::width("v05←") * LEAST_HEIGHT;
+        // Round ends, the notch, and what labels keep from both.
+        let taken = 12.0 + 4.0 + 2.0 * CLEAR;
+        let tight = notched(taken + name + arrow);
+        assert!(tight.texts.iter().any(|t| t.content == "v05"), "{tight:?}");
+        assert!(tight.omitted.contains(&"v05←".to_owned()));
+    }
+
+    #[test]
+    fn a_single_label_stands_in_the_longest_free_stretch() {
+        let text = single(&strip(80.0, 12.0, &[20.0]), "w.u03a-b", 3.0).expect("room");
+        let bounds = text.bounds();
+        assert!(bounds.min[0] > 22.0 + CLEAR && bounds.max[0] < 74.0);
+        assert_eq!(single(&strip(30.0, 12.0, &[15.0]), "w.u03a-b", 3.0), None);
     }
 
     proptest! {

@@ -6,12 +6,16 @@
 //! moved into the first quadrant.
 
 use super::drawing::{Anchor, Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text};
-use super::part::{opening_shape, outline, short_id};
+use super::outline;
+use super::part::{opening_shape, short_id};
 use super::sheet::trim;
 use super::stroke_font;
 use super::units::MM;
 use crate::plan::{CrossingRecord, LamellaRecord, MemberRecord, PatchRecord};
 use crate::project::model::Family;
+
+/// Corners below this angle have no room for two ids side by side, radians.
+const SHARP: f64 = 0.7;
 
 /// A patch with everything that lies flat.
 #[derive(Debug, Clone, PartialEq)]
@@ -96,7 +100,14 @@ fn draw_lamella(drawing: &mut Drawing, member: &MemberRecord, lamella: &LamellaR
         Family::U => (Layer::LamellaU, Layer::OpeningU),
         Family::V => (Layer::LamellaV, Layer::OpeningV),
     };
-    drawing.draw(strip, &lamella.id, outline(lamella, 0.0).mapped(lay));
+    drawing.draw(strip, &lamella.id, outline::whole(lamella, 0.0).mapped(lay));
+    for piece in &lamella.pieces {
+        if piece.joint.is_some() {
+            let x = piece.to * MM;
+            let seam = [lay([x, 0.0]), lay([x, 2.0 * half])];
+            drawing.draw(strip, &piece.id, Path::polyline(&seam, Closure::Open));
+        }
+    }
     for record in &lamella.openings {
         let shape = match opening_shape(lamella, record, 0.0) {
             Shape::Path(path) => Shape::Path(path.mapped(lay)),
@@ -129,18 +140,41 @@ fn draw_ids(
         let turned = angle + core::f64::consts::PI;
         (turned, 0.5 * height, Anchor::Start, Anchor::End)
     };
-    for (x, anchor) in [(-reach, before), (line.length + reach, after)] {
-        let text = Text::new(
-            short_id(&lamella.id, &flat.patch.id),
-            line.at([x, side]),
-            height,
-        );
+    let name = short_id(&lamella.id, &flat.patch.id);
+    for (end, anchor) in [(0.0, before), (line.length, after)] {
+        let outwards = if end == 0.0 { -1.0 } else { 1.0 };
+        // In a sharp corner both boundary lamellae end side by side: one id goes behind the other.
+        let behind = if member.family == Family::V && shares_tip(flat, line.at([end, 0.0]), reach) {
+            (stroke_font::width(&name) + 0.6) * height
+        } else {
+            0.0
+        };
+        let x = end + outwards * (reach + behind);
+        let text = Text::new(&name, line.at([x, side]), height);
         drawing.draw(
             Layer::Label,
             &lamella.id,
             text.anchored(anchor).turned(angle),
         );
     }
+}
+
+/// Whether a lamella of the u-family ends at a point and runs on from there in nearly the same
+/// direction as the tip: its id would stand in the same place.
+fn shares_tip(flat: &FlatPatch<'_>, tip: [f64; 2], reach: f64) -> bool {
+    let distance = |p: [f64; 2]| libm::hypot(p[0] - tip[0], p[1] - tip[1]);
+    let sharp = |corner: usize| {
+        let corners = flat.patch.planar_corners.map(|point| point.map(|v| v * MM));
+        let to = |k: usize| {
+            let p = corners[(corner + k) % 4];
+            [p[0] - corners[corner][0], p[1] - corners[corner][1]]
+        };
+        let (a, b) = (to(1), to(3));
+        let cross = a[0] * b[1] - a[1] * b[0];
+        let turn = libm::atan2(cross, a[0] * b[0] + a[1] * b[1]);
+        distance(corners[corner]) < 0.5 * reach && turn.abs() < SHARP
+    };
+    (0..4).any(sharp)
 }
 
 /// Letters as large as neighbouring ends leave room for.
@@ -192,7 +226,7 @@ fn frame(drawing: &mut Drawing, flat: &FlatPatch<'_>, extent: f64) {
         return;
     }
     let border = extent / 40.0;
-    let band = extent / 12.0;
+    let band = extent / 9.0;
     let shift = [border - bounds.min[0], border + band - bounds.min[1]];
     for entity in &mut drawing.entities {
         entity.shape = entity.shape.translated(shift);
@@ -202,7 +236,7 @@ fn frame(drawing: &mut Drawing, flat: &FlatPatch<'_>, extent: f64) {
 
     let bar = super::units::round_length(extent / 5.0);
     let letters = extent / 70.0;
-    let y = border + 1.2 * letters;
+    let y = border + 5.0 * letters;
     for line in [
         [[border, y], [border + bar, y]],
         [[border, y - 0.5 * letters], [border, y + 0.5 * letters]],
@@ -215,19 +249,54 @@ fn frame(drawing: &mut Drawing, flat: &FlatPatch<'_>, extent: f64) {
     }
     let scale = format!("{} mm", trim(bar));
     let words = format!(
-        "{} / {}   flat, seen from the top, u above v   angle {:.1}°   1:1 mm",
-        flat.project, flat.patch.id, flat.patch.alpha_planar
+        "{} / {}   flat, seen from the top   1:1 mm",
+        flat.project, flat.patch.id
     );
     let left = border + bar + letters;
     let after = left + stroke_font::width(&scale) * letters + 2.0 * letters;
     let room = drawing.size[0] - border - after;
     let fitted = letters.min(room / stroke_font::width(&words));
+    let [layers, corners] = notes(flat);
+    let below = |line: f64| y - (0.5 + 1.9 * line) * letters;
+    let narrow = |words: &str| {
+        let room = drawing.size[0] - 2.0 * border;
+        (0.9 * letters).min(room / stroke_font::width(words))
+    };
+    let (first, second) = (narrow(&layers), narrow(&corners));
     for (text, at, letters) in [
         (scale, [left, y - 0.5 * letters], letters),
         (words, [after, y - 0.5 * fitted], fitted),
+        (layers, [border, below(1.0)], first),
+        (corners, [border, below(2.0)], second),
     ] {
         if letters > 0.0 {
             drawing.draw(Layer::Title, "", Text::new(text, at, letters));
         }
     }
+}
+
+/// What lies on what, and which corner is which.
+fn notes(flat: &FlatPatch<'_>) -> [String; 2] {
+    let PatchRecord {
+        id,
+        corners: [a, b, c, d],
+        alpha_planar,
+        alpha_surface,
+        ..
+    } = flat.patch;
+    let ends = |family: Family| {
+        let members = flat.lamellae.iter().map(|(member, _)| member);
+        let family = members.filter(|member| member.family == family);
+        let first = family.clone().min_by_key(|member| member.index);
+        let last = family.max_by_key(|member| member.index);
+        [first, last].map(|member| member.map_or_else(String::new, |m| short_id(&m.id, id)))
+    };
+    let ([u1, u2], [v1, v2]) = (ends(Family::U), ends(Family::V));
+    [
+        format!(
+            "first {v1} to {v2}, then {u1} to {u2} across on top   angle at {a}: {alpha_planar:.1}° \
+             flat, {alpha_surface:.1}° unfolded"
+        ),
+        format!("corners   {a}: {u1} {v1}   {b}: {u2} {v1}   {c}: {u2} {v2}   {d}: {u1} {v2}"),
+    ]
 }

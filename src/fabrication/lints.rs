@@ -27,6 +27,9 @@ const END_IN_DIAMETERS: f64 = 2.0;
 /// A washer bears on this much wood beside the notch, on both sides together, millimetres.
 const WASHER_BEARING: f64 = 4.0;
 
+/// Share of a lamella's thickness that the two foils of a crossing may have together.
+const LARGEST_FOIL: f64 = 0.3;
+
 /// Everything that is objected to, errors among warnings; each cause is told once, at its worst
 /// place.
 pub fn lints(
@@ -42,6 +45,7 @@ pub fn lints(
     told.extend(washers(lamellae, hardware));
     told.extend(grain(lamellae, materials));
     told.extend(spacing(lamellae, fabrication));
+    told.extend(foil(lamellae, hardware));
     told
 }
 
@@ -356,6 +360,28 @@ fn spacing(lamellae: &[LamellaRecord], fabrication: &Fabrication) -> Option<Diag
         )
         .at_key("fabrication.spacing", "narrow")
         .note("half the thickness and the kerf, at least 2 mm")
+    })
+}
+
+/// Foils that lift the inner members off the surface.
+fn foil(lamellae: &[LamellaRecord], hardware: &Hardware) -> Option<Diagnostic> {
+    let sticker = hardware.sticker.as_ref()?;
+    let thinnest = lamellae
+        .iter()
+        .map(|lamella| lamella.thickness)
+        .min_by(f64::total_cmp)?;
+    let both = 2.0 * sticker.thickness;
+    (both > LARGEST_FOIL * thinnest + 1e-9).then(|| {
+        Diagnostic::warning(
+            codes::FOIL_THICK,
+            format!(
+                "two foils of {:.2} mm lie between lamellae of {:.1} mm",
+                sticker.thickness * MM,
+                thinnest * MM
+            ),
+        )
+        .at_key("hardware.sticker.thickness", "thick")
+        .help("foils for this purpose are 0.1 to 0.25 mm thick")
     })
 }
 

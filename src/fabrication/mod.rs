@@ -4,22 +4,31 @@
 //! | module | makes |
 //! |---|---|
 //! | [`nesting`] | sheets of the plan from the sizes of its lamellae |
-//! | [`bom`] | the bill of materials of the plan |
-//! | [`part`], [`labels`] | a lamella as the shapes that cut it |
+//! | [`stickers`] | stickers and sheets of foil of the plan, and their cut files |
+//! | [`supports`] | supports of the plan, their solids, drawings and the plan of the ground |
+//! | [`bom`], [`summary`] | the bill of materials of the plan, and what it adds up to |
+//! | [`splicing`] | pieces of lamellae that are longer than the stock |
+//! | [`pieces`], [`part`], [`outline`], [`labels`] | a part as the shapes that cut it |
 //! | [`lints`], [`hardware`] | what a workshop would object to |
-//! | [`sheet`] | cut file and overview of a sheet |
-//! | [`layout`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
-//! | [`tables`] | CSV |
+//! | [`sheet`], [`passage`] | cut files and overview of a sheet; those of a sheet longer than the bed |
+//! | [`coupon`] | a test piece for kerf and fit |
+//! | [`layout`], [`network`], [`from_above`], [`cladding_plot`] | drawings of patches for people |
+//! | [`tables`], [`workbook`] | CSV and XLSX |
+//! | [`assembly`] | the step list |
 //! | [`drawing`], [`stroke_font`] | the neutral drawing and its letters |
-//! | [`dxf`], [`svg`] | the two writers, one file a drawing |
+//! | [`dxf`], [`svg`], [`pdf`] | the writers |
+//! | [`readback`] | whether files are those of a plan |
 //!
-//! Sheets and bill are records of the plan, so they are made first ([`nesting::nest`],
-//! [`bom::rows`]); files are made from the finished plan. [`outputs`] makes all of them; each
+//! Sheets, stickers, supports and bill are records of the plan, so they are made first
+//! ([`nesting::nest`], [`stickers::records`], [`supports::records`], [`bom::rows`]); files are made
+//! from the finished plan. [`outputs`] makes all of them; each
 //! kind has a function of its own with the small input that it needs, for incremental builds.
 //! Plans are in metres, drawings in millimetres.
 
+pub mod assembly;
 pub mod bom;
 pub mod cladding_plot;
+pub mod coupon;
 pub mod drawing;
 pub mod dxf;
 pub mod from_above;
@@ -30,16 +39,30 @@ pub mod layout;
 pub mod lints;
 pub mod names;
 pub mod nesting;
+pub mod network;
 pub mod nodes;
+pub mod outline;
 mod outputs;
 pub mod part;
+pub mod passage;
+pub mod pdf;
+pub mod pieces;
+pub mod readback;
+mod setting;
 pub mod sheet;
+pub mod splicing;
+pub mod stickers;
 pub mod stroke_font;
+pub mod summary;
+pub mod supports;
 pub mod svg;
 pub mod tables;
 pub mod units;
+pub mod workbook;
 
+pub use network::NamedQuad;
 pub use outputs::{
-    Inputs, OutputFile, above_files, blanks, check, cladding_files, layout_files, outputs, parts,
-    sheet_files, table_files,
+    Inputs, OutputFile, above_files, assembly_file, blanks, check, cladding_files, coupon_files,
+    layout_files, network_files, outputs, overview_files, part_files, parts, sheet_files,
+    sticker_files, support_files, table_files,
 };

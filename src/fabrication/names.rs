@@ -19,14 +19,25 @@ pub fn file_name(name: &str) -> String {
     }
 }
 
+/// File names of parts in their order: ids keep the dots between their words.
+pub fn part_file_names<'a>(ids: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    let dotted = |id: &str| {
+        let words: Vec<String> = id.split('.').map(file_name).collect();
+        words.join(".")
+    };
+    distinct(ids.into_iter().map(dotted))
+}
+
 /// File names of several things in their order, made different by a number where they would be
 /// the same on some file system (`A b` and `a-b`).
 pub fn distinct_file_names<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<String> {
+    distinct(names.into_iter().map(file_name))
+}
+
+fn distinct(names: impl Iterator<Item = String>) -> Vec<String> {
     let mut used = std::collections::BTreeSet::new();
     names
-        .into_iter()
-        .map(|name| {
-            let base = file_name(name);
+        .map(|base| {
             let mut unique = base.clone();
             let mut number = 2;
             while !used.insert(unique.to_ascii_lowercase()) {
@@ -41,6 +52,15 @@ pub fn distinct_file_names<'a>(names: impl IntoIterator<Item = &'a str>) -> Vec<
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn parts_keep_the_dots_of_their_ids() {
+        let ids = ["west.u03a", "west.u03a-b", "a b.v01", "a-b.v01"];
+        assert_eq!(
+            part_file_names(ids),
+            ["west.u03a", "west.u03a-b", "a-b.v01", "a-b.v01-2"]
+        );
+    }
 
     #[test]
     fn names_become_portable_and_stay_different() {

@@ -3,8 +3,10 @@
 //! Where patches meet, each has its own boundary lamella with holes at the same places, so
 //! crossings of several patches lie at one point and one bolt goes through all their lamellae.
 
+use super::hardware::{Fastener, Series};
 use super::index::PlanIndex;
-use crate::plan::{CrossingRecord, OpeningRecord};
+use crate::plan::{CrossingRecord, OpeningRecord, SupportRecord};
+use crate::project::model::Hardware;
 use std::collections::BTreeSet;
 
 /// Crossings at one point.
@@ -16,6 +18,52 @@ pub struct Node<'a> {
     pub lamellae_thickness: f64,
     /// Crossings with a notch on either lamella: these slide and carry stickers and shells.
     pub sliding: usize,
+}
+
+/// What goes through a node.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fixing {
+    /// What holds it together; none if no bolt of the series is long enough.
+    pub fastener: Option<Fastener>,
+    /// How much is clamped, metres.
+    pub stack: f64,
+    /// Washers on it.
+    pub washers: usize,
+    /// Nuts on it: none where the bolt screws into a support.
+    pub nuts: usize,
+}
+
+impl Node<'_> {
+    /// Bolt, washers and nuts of the node.
+    pub fn fixing(&self, supports: &[SupportRecord], hardware: &Hardware) -> Fixing {
+        let foil = hardware.sticker.as_ref().map_or(0.0, |s| s.thickness);
+        let stack = self.lamellae_thickness + 2.0 * foil * self.sliding as f64;
+        let support = supports.iter().find(|support| {
+            let mut here = self.crossings.iter();
+            here.any(|crossing| support.crossings.contains(&crossing.id))
+        });
+        match support {
+            Some(support) => Fixing {
+                fastener: Some(Fastener::Bolt(support.bolt_length)),
+                stack,
+                washers: 1,
+                nuts: 0,
+            },
+            None => {
+                let series = Series::of(hardware.bolt.diameter);
+                let fastener = series.and_then(|s| s.fastener(stack).ok());
+                Fixing {
+                    fastener,
+                    stack,
+                    washers: 2,
+                    nuts: match fastener {
+                        Some(Fastener::Rod(_)) => 2,
+                        _ => 1,
+                    },
+                }
+            }
+        }
+    }
 }
 
 /// Groups crossings that are closer than a distance (metres), in the plan's order.

@@ -1,18 +1,26 @@
 //! The files of a plan.
 
+use super::coupon::CouponSection;
 use super::drawing::{Drawing, NotFinite};
 use super::index::PlanIndex;
 use super::layout::FlatPatch;
 use super::lints::lints;
-use super::names::{distinct_file_names, file_name};
+use super::names::{distinct_file_names, file_name, part_file_names};
 use super::nesting::Blank;
+use super::network::NamedQuad;
 use super::part::{Part, PartStyle};
-use super::sheet::{Parts, SheetStyle, trim};
+use super::sheet::{Goodness, Parts, SheetStyle, trim};
 use super::units::MM;
-use super::{cladding_plot, dxf, from_above, hardware, layout, part, sheet, svg, tables};
+use super::workbook::{self, Tab};
+use super::{
+    assembly, cladding_plot, coupon, dxf, from_above, hardware, layout, network, part, pdf, pieces,
+    sheet, stickers, supports, svg, tables,
+};
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Severity, Warned};
-use crate::plan::{LamellaRecord, OpeningRecord, Plan, SheetRecord};
+use crate::plan::{
+    LamellaRecord, NestingRecord, OpeningRecord, Plan, SheetRecord, cladding_to_ron,
+};
 use crate::project::model::{Fabrication, Grain, Hardware, Material};
 
 /// A file to write.
@@ -43,24 +51,37 @@ pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     } = check(plan, inputs)?;
     let Warned {
         value: parts,
-        warnings: told,
+        warnings: omitted,
     } = parts(plan, inputs);
-    warnings.extend(told);
+    warnings.extend(omitted);
     let mut files = Vec::new();
     let mut errors = Vec::new();
+    let mut told = Vec::new();
     let mut take = |result: Checked<Vec<OutputFile>>| match result {
-        Ok(made) => files.extend(made.value),
+        Ok(made) => {
+            files.extend(made.value);
+            told.extend(made.warnings);
+        }
         Err(told) => errors.extend(told),
     };
     take(cladding_files(plan));
     take(layout_files(plan, inputs));
     take(above_files(plan));
+    let quads: Vec<NamedQuad> = plan.patches.iter().map(NamedQuad::of).collect();
+    take(network_files(&plan.name, &quads, plan));
     let by_id: Parts = parts.iter().map(|part| (part.id.as_str(), part)).collect();
     for sheet in &plan.sheets {
         take(sheet_files(plan, sheet, &by_id, inputs));
     }
+    take(overview_files(plan, &by_id, inputs));
+    take(part_files(plan, inputs));
+    take(coupon_files(&coupon::sections(&plan.lamellae), inputs));
+    take(sticker_files(plan, inputs));
+    take(support_files(plan, inputs));
     files.extend(table_files(plan, inputs));
+    files.push(assembly_file(plan, inputs));
     if errors.is_empty() {
+        warnings.extend(told);
         Ok(Warned {
             value: files,
             warnings,
@@ -73,17 +94,7 @@ pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
 
 /// What nesting needs of the lamellae.
 pub fn blanks(lamellae: &[LamellaRecord], materials: &[Material]) -> Vec<Blank> {
-    lamellae
-        .iter()
-        .map(|lamella| Blank {
-            id: lamella.id.clone(),
-            material: lamella.material.clone(),
-            thickness: lamella.thickness,
-            length: lamella.length,
-            width: lamella.width,
-            grain: grain(&lamella.material, materials),
-        })
-        .collect()
+    pieces::blanks(lamellae, |material| grain(material, materials))
 }
 
 /// Whether the parts of a plan can be made and hold, and what a workshop should know.
@@ -106,7 +117,7 @@ pub fn check(plan: &Plan, inputs: Inputs<'_>) -> Checked<()> {
     }
 }
 
-/// Every lamella as a part to cut; labels without place are told.
+/// Every part to cut: pieces of lamellae and plates. Labels without place are told.
 pub fn parts(plan: &Plan, inputs: Inputs<'_>) -> Warned<Vec<Part>> {
     let style = PartStyle {
         kerf: inputs.fabrication.kerf * MM,
@@ -117,8 +128,16 @@ pub fn parts(plan: &Plan, inputs: Inputs<'_>) -> Warned<Vec<Part>> {
     let mut warnings = Vec::new();
     let mut parts = Vec::new();
     for lamella in &plan.lamellae {
-        if let Some(neighbours) = index.neighbours(lamella) {
-            let (part, told) = part::draw(lamella, &neighbours, style);
+        let Some(neighbours) = index.neighbours(lamella) else {
+            continue;
+        };
+        let drawn = pieces::pieces(lamella)
+            .into_iter()
+            .map(|piece| part::draw(&piece, &neighbours, style));
+        let plates = pieces::plates(lamella)
+            .into_iter()
+            .map(|plate| part::draw_plate(&plate, style));
+        for (part, told) in drawn.chain(plates) {
             parts.push(part);
             warnings.extend(told);
         }
@@ -129,20 +148,14 @@ pub fn parts(plan: &Plan, inputs: Inputs<'_>) -> Warned<Vec<Part>> {
     }
 }
 
-/// The cut file and the overview of a sheet.
+/// The cut files and the overview of a sheet: one cut file, or one for each window.
 pub fn sheet_files(
     plan: &Plan,
     sheet: &SheetRecord,
     parts: &Parts<'_>,
     inputs: Inputs<'_>,
 ) -> Checked<Vec<OutputFile>> {
-    let style = SheetStyle {
-        project: &plan.name,
-        count: plan.sheets.len(),
-        kerf: inputs.fabrication.kerf * MM,
-        grain: grain(&sheet.material, inputs.materials),
-        colours: inputs.fabrication.colours,
-    };
+    let style = sheet_style(plan, sheet, inputs);
     let name = format!(
         "fabrication/{}_{}-{}mm_{}-of-{:02}",
         file_name(&plan.name),
@@ -152,7 +165,18 @@ pub fn sheet_files(
         plan.sheets.len()
     );
     let mut files = Files::default();
-    files.both(&name, &sheet::cut_file(sheet, parts, &style));
+    if sheet.windows.is_empty() {
+        files.both(&name, &sheet::cut_file(sheet, parts, &style));
+    } else {
+        let (drawings, pinned) = sheet::window_files(sheet, parts, &style);
+        for (i, drawing) in drawings.iter().enumerate() {
+            let window = format!("{name}_window-{}-of-{}", i + 1, drawings.len());
+            files.both(&window, drawing);
+        }
+        if !pinned {
+            files.warnings.push(no_pins(sheet, inputs.fabrication));
+        }
+    }
     files.picture(
         &format!("{name}.overview"),
         &sheet::overview(sheet, parts, &style),
@@ -160,10 +184,99 @@ pub fn sheet_files(
     files.finish()
 }
 
+fn sheet_style<'a>(plan: &'a Plan, sheet: &SheetRecord, inputs: Inputs<'a>) -> SheetStyle<'a> {
+    let of_sheet = |group: &&NestingRecord| {
+        group.material == sheet.material && group.thickness == sheet.thickness
+    };
+    let group = plan.nesting.iter().find(of_sheet);
+    SheetStyle {
+        project: &plan.name,
+        count: plan.sheets.len(),
+        kerf: inputs.fabrication.kerf * MM,
+        grain: grain(&sheet.material, inputs.materials),
+        colours: inputs.fabrication.colours,
+        goodness: group.map(|group| Goodness {
+            sheets: group.sheets,
+            bound: group.sheets_bound,
+        }),
+    }
+}
+
+fn no_pins(sheet: &SheetRecord, fabrication: &Fabrication) -> Diagnostic {
+    Diagnostic::warning(
+        codes::NO_REGISTRATION,
+        format!(
+            "the border of `{}` is too narrow for the pins that hold it when it is pushed on",
+            sheet.id
+        ),
+    )
+    .at_key(
+        "fabrication.margin",
+        format!("{} mm, 5 mm are needed", trim(fabrication.margin * MM)),
+    )
+    .about(&sheet.id)
+}
+
+/// The overviews of all sheets as pages to print.
+pub fn overview_files(
+    plan: &Plan,
+    parts: &Parts<'_>,
+    inputs: Inputs<'_>,
+) -> Checked<Vec<OutputFile>> {
+    let pages: Vec<Drawing> = plan
+        .sheets
+        .iter()
+        .map(|sheet| sheet::overview(sheet, parts, &sheet_style(plan, sheet, inputs)))
+        .collect();
+    let mut files = Files::default();
+    if !pages.is_empty() {
+        let title = format!("{}: overview of sheets", plan.name);
+        let name = format!("fabrication/{}_overview", file_name(&plan.name));
+        files.add(&name, "pdf", pdf::write(&title, &pages));
+    }
+    files.finish()
+}
+
+/// Every part as a file of its own, cuts only, for shops that nest by themselves.
+pub fn part_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
+    let Warned { value: parts, .. } = parts(plan, inputs);
+    let names = part_file_names(parts.iter().map(|part| part.id.as_str()));
+    let mut files = Files::default();
+    for (part, name) in parts.iter().zip(names) {
+        let drawing = sheet::part_file(
+            part,
+            inputs.fabrication.kerf * MM,
+            inputs.fabrication.colours,
+        );
+        files.add(&format!("parts/{name}"), "dxf", dxf::write(&drawing));
+    }
+    files.finish()
+}
+
+/// The coupon that tells kerf and fit of a machine, one for each material and thickness.
+pub fn coupon_files(sections: &[CouponSection], inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
+    let mut files = Files::default();
+    for section in sections {
+        let name = format!(
+            "coupon/{}-{}mm",
+            file_name(&section.material),
+            trim(section.thickness * MM)
+        );
+        let drawing = coupon::draw(section, inputs.hardware, inputs.fabrication.colours);
+        files.both(&name, &drawing);
+    }
+    files.finish()
+}
+
+/// Drawings of the whole structure beside those of its patches.
+const WHOLE: [&str; 2] = ["from-above", "patches"];
+
 /// The flat layout of every patch.
 pub fn layout_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     let index = PlanIndex::new(plan);
-    let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
+    let patches = plan.patches.iter().map(|patch| patch.id.as_str());
+    let names = distinct_file_names(WHOLE.into_iter().chain(patches));
+    let names = names.into_iter().skip(WHOLE.len());
     let mut files = Files::default();
     for (patch, name) in plan.patches.iter().zip(names) {
         let members = plan.members.iter().filter(|m| m.patch == patch.id);
@@ -190,7 +303,19 @@ pub fn above_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
     files.finish()
 }
 
-/// The cladding functions of every patch.
+/// The layout from above: its skeleton with names.
+pub fn network_files(
+    name: &str,
+    patches: &[NamedQuad],
+    skeleton: &Plan,
+) -> Checked<Vec<OutputFile>> {
+    let mut files = Files::default();
+    let drawing = network::draw(name, patches, &skeleton.points, &skeleton.edges);
+    files.picture("layout/patches", &drawing);
+    files.finish()
+}
+
+/// The cladding functions of every patch, as a plot and as a document.
 pub fn cladding_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
     let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
     let mut files = Files::default();
@@ -198,21 +323,122 @@ pub fn cladding_files(plan: &Plan) -> Checked<Vec<OutputFile>> {
         let members = plan.members.iter().filter(|m| m.patch == patch.id);
         let drawing = cladding_plot::draw(patch, &members.collect::<Vec<_>>());
         files.picture(&format!("cladding/{name}"), &drawing);
+        let document = cladding_to_ron(plan, patch).into_bytes();
+        files.add(&format!("cladding/{name}"), "ron", Ok(document));
     }
     files.finish()
 }
 
-/// The tables.
-pub fn table_files(plan: &Plan, inputs: Inputs<'_>) -> Vec<OutputFile> {
-    let file = |path: &str, bytes| OutputFile {
-        path: path.to_owned(),
-        bytes,
+/// The sheets of foil.
+pub fn sticker_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
+    let by_id = plan.stickers.iter().map(|s| (s.id.as_str(), s)).collect();
+    let style = stickers::FoilStyle {
+        project: &plan.name,
+        count: plan.foils.len(),
+        colours: inputs.fabrication.colours,
     };
-    vec![
-        file("bom.csv", tables::bom(&plan.bill_of_materials)),
-        file("cutlist.csv", tables::cut_list(plan, inputs.materials)),
-        file("crossings.csv", tables::crossings(plan, inputs.hardware)),
-    ]
+    let mut files = Files::default();
+    for sheet in &plan.foils {
+        let name = format!(
+            "stickers/{}_{}-{}mm_{}-of-{:02}",
+            file_name(&plan.name),
+            file_name(&sheet.material),
+            trim(sheet.thickness * MM),
+            sheet.id,
+            plan.foils.len()
+        );
+        files.both(&name, &stickers::draw(sheet, &by_id, &style));
+    }
+    files.finish()
+}
+
+/// The ground plan, and every support as it is made: printed, or cast and cut.
+pub fn support_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
+    let names = distinct_file_names(plan.supports.iter().map(|support| support.id.as_str()));
+    let grid: f64 = plan.lamellae.iter().map(|lamella| lamella.mass).sum();
+    let style = supports::drawing::BlockStyle {
+        project: &plan.name,
+        share: grid / plan.supports.len().max(1) as f64,
+        sheet: supports::thinnest_sheet(plan).unwrap_or(supports::WEDGE_EDGE),
+        colours: inputs.fabrication.colours,
+    };
+    let mut files = Files::default();
+    if let Some(drawing) = supports::setting_out::draw(plan) {
+        files.both("supports/setting-out", &drawing);
+    }
+    let mut solids = Vec::new();
+    for (support, name) in plan.supports.iter().zip(names) {
+        let name = format!("supports/{name}");
+        if let Some(drawing) = supports::drawing::block(support, &style) {
+            files.both(&format!("{name}.block"), &drawing);
+        }
+        if let Some(drawing) = supports::drawing::template(support, &style) {
+            files.both(&format!("{name}.template"), &drawing);
+        }
+        if let Some(solid) = supports::solid::of(support) {
+            files.files.push(OutputFile {
+                path: format!("{name}.stl"),
+                bytes: supports::solid::stl(&support.id, &solid),
+            });
+            solids.push((support.id.as_str(), solid));
+        }
+    }
+    if !solids.is_empty() {
+        files.files.push(OutputFile {
+            path: "supports/supports.3mf".to_owned(),
+            bytes: supports::solid::three_mf(&solids),
+        });
+    }
+    files.finish()
+}
+
+/// The step list.
+pub fn assembly_file(plan: &Plan, inputs: Inputs<'_>) -> OutputFile {
+    OutputFile {
+        path: "assembly.md".to_owned(),
+        bytes: assembly::steps(plan, inputs.hardware),
+    }
+}
+
+/// The tables, each as CSV, and all of them as a workbook.
+pub fn table_files(plan: &Plan, inputs: Inputs<'_>) -> Vec<OutputFile> {
+    let mut made = vec![
+        ("Summary", "summary", tables::summary(plan)),
+        ("Shopping", "bom", tables::bom(&plan.bill_of_materials)),
+        (
+            "Cut list",
+            "cutlist",
+            tables::cut_list(plan, inputs.materials),
+        ),
+        (
+            "Crossings",
+            "crossings",
+            tables::crossings(plan, inputs.hardware),
+        ),
+    ];
+    if !plan.stickers.is_empty() {
+        made.push(("Stickers", "stickers", stickers::table(plan)));
+    }
+    if !plan.supports.is_empty() {
+        made.push(("Supports", "supports", supports::table(plan)));
+    }
+    let tabs: Vec<Tab<'_>> = made
+        .iter()
+        .map(|(name, _, csv)| Tab { name, csv })
+        .collect();
+    let workbook = workbook::write(&plan.name, &tabs);
+    let mut files: Vec<OutputFile> = made
+        .into_iter()
+        .map(|(_, name, bytes)| OutputFile {
+            path: format!("{name}.csv"),
+            bytes,
+        })
+        .collect();
+    files.push(OutputFile {
+        path: "bill.xlsx".to_owned(),
+        bytes: workbook,
+    });
+    files
 }
 
 fn grain(material: &str, materials: &[Material]) -> Grain {
@@ -254,6 +480,7 @@ fn kerf_errors(plan: &Plan, fabrication: &Fabrication) -> Option<Diagnostic> {
 struct Files {
     files: Vec<OutputFile>,
     errors: Vec<Diagnostic>,
+    warnings: Vec<Diagnostic>,
 }
 
 impl Files {
@@ -289,7 +516,7 @@ impl Files {
         if self.errors.is_empty() {
             Ok(Warned {
                 value: self.files,
-                warnings: Vec::new(),
+                warnings: self.warnings,
             })
         } else {
             Err(self.errors)

@@ -1,25 +1,26 @@
-//! Parts: a lamella as the shapes that cut it.
+//! Parts: a piece of a lamella as the shapes that cut it.
 //!
-//! A part lies along x from the start of its lamella and is drawn as seen on its top face, in
-//! millimetres from the lower left corner of its nominal outline. Its shapes stand in cutting
-//! order: engraving, openings, outline.
-//!
-//! **Ends are round**, half circles over the whole width. Several lamellae turn about one bolt
-//! where patches meet, and round ends show the same outline at every angle, leave no corner that
-//! catches or splits, and keep at least the wood around an end hole that a square end of the same
-//! margin has in the direction of the pull.
+//! A part lies along x from its start and is drawn as seen on its top face, in millimetres from
+//! the lower left corner of its nominal outline ([`outline`]). Its shapes stand in cutting order:
+//! engraving, scores, openings, outline.
 //!
 //! **Kerf.** A beam removes half its width on either side of the line it follows: with kerf `k`
 //! outlines grow and openings shrink by `k/2` all around, so that the cut part is nominal. With
 //! 0 the drawing itself is nominal and the machine may compensate.
+//!
+//! **Slides.** The label of a notch ends in an arrow that points from the flat to the deployed
+//! place of the bolt: `v05→` is bolted at the left end of its notch and slides to the right.
 
-use super::drawing::{Entity, Layer, Path, Shape};
+use super::drawing::{Closure, Entity, Layer, Path, Shape, Text};
 use super::labels::{self, Labels, Place, Strip};
+use super::outline;
+use super::pieces::{End, Piece, Plate};
 use super::stroke_font;
 use super::units::MM;
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::plan::{CrossingRecord, LamellaRecord, MemberRecord, OpeningRecord};
+use crate::project::model::SpliceKind;
 
 /// Slides below this (millimetres) are cut as round holes: less than any machine repeats.
 pub const LEAST_SLIDE: f64 = 0.01;
@@ -33,6 +34,8 @@ pub struct Part {
     pub length: f64,
     /// Nominal width, millimetres.
     pub width: f64,
+    /// How much of its two ends is shaped: rounded, or a joint; millimetres.
+    pub ends: [f64; 2],
     /// In cutting order, in the part's frame.
     pub shapes: Vec<Entity>,
 }
@@ -57,17 +60,17 @@ pub struct Neighbours<'a> {
     pub crossings: Vec<(&'a CrossingRecord, &'a LamellaRecord)>,
 }
 
-/// Draws a lamella as one part. Warnings tell of labels without place.
+/// Draws a piece of a lamella. Warnings tell of labels without place.
 pub fn draw(
-    lamella: &LamellaRecord,
+    piece: &Piece<'_>,
     neighbours: &Neighbours<'_>,
     style: PartStyle,
 ) -> (Part, Vec<Diagnostic>) {
-    let (labels, warnings) = label(lamella, neighbours, style);
-    let [length, width] = [lamella.length * MM, lamella.width * MM];
+    let (labels, warnings) = label(piece, neighbours, style);
+    let width = piece.lamella.width * MM;
     let entity = |layer, shape| Entity {
         layer,
-        subject: lamella.id.clone(),
+        subject: piece.id.to_owned(),
         shape,
     };
     let mut shapes: Vec<Entity> = labels
@@ -75,30 +78,132 @@ pub fn draw(
         .into_iter()
         .map(|text| entity(Layer::Engrave, Shape::Text(text)))
         .collect();
-    for opening in &lamella.openings {
+    shapes.extend(
+        scarfs(piece, style)
+            .into_iter()
+            .map(|(layer, shape)| entity(layer, shape)),
+    );
+    // Scores stand after all engraving.
+    shapes.sort_by_key(|entity| entity.layer);
+    for opening in piece.openings() {
+        let shape = opening_shape(piece.lamella, opening, style.kerf);
         shapes.push(entity(
             Layer::CutInner,
-            opening_shape(lamella, opening, style.kerf),
+            shape.translated([-piece.from, 0.0]),
         ));
     }
-    shapes.push(entity(Layer::CutOuter, outline(lamella, style.kerf).into()));
+    for (at, hole) in piece.screws() {
+        shapes.push(entity(Layer::CutInner, screw(at, width, hole, style.kerf)));
+    }
+    let outline = outline::of(piece, style.kerf);
+    shapes.push(entity(Layer::CutOuter, outline.into()));
     let part = Part {
-        id: lamella.id.clone(),
-        length,
+        id: piece.id.to_owned(),
+        length: piece.length(),
         width,
+        ends: [&piece.start, &piece.end].map(|end| end.length(width)),
         shapes,
     };
     (part, warnings)
 }
 
-/// The outline with round ends, counter-clockwise.
-pub fn outline(lamella: &LamellaRecord, kerf: f64) -> Path {
-    let [length, width] = [lamella.length * MM, lamella.width * MM];
-    let radius = 0.5 * width.min(length);
-    Path::slot(radius, length - radius, 0.5 * width, radius + 0.5 * kerf)
+/// Draws a plate over a joint: its id between the screws.
+pub fn draw_plate(plate: &Plate<'_>, style: PartStyle) -> (Part, Vec<Diagnostic>) {
+    let [length, width] = [plate.to - plate.from, plate.lamella.width * MM];
+    let hole = plate.joint.hole * MM;
+    let screws: Vec<f64> = plate
+        .joint
+        .screws
+        .iter()
+        .map(|at| at * MM - plate.from)
+        .collect();
+    let place = |&at: &f64| Place {
+        opening: [at - 0.5 * hole, at + 0.5 * hole],
+        contact: [at - 0.5 * hole, at + 0.5 * hole],
+        label: String::new(),
+        slide: None,
+    };
+    let strip = Strip {
+        length,
+        width,
+        ends: [0.0; 2],
+        openings: screws.iter().map(place).collect(),
+    };
+    let entity = |layer, shape| Entity {
+        layer,
+        subject: plate.id.clone(),
+        shape,
+    };
+    let mut shapes = Vec::new();
+    let mut warnings = Vec::new();
+    match labels::single(&strip, &plate.id, style.label_height) {
+        Some(text) => shapes.push(entity(Layer::Engrave, text.into())),
+        None => warnings.push(omitted(&plate.id, &[format!("`{}`", plate.id)])),
+    }
+    shapes.extend(
+        screws
+            .iter()
+            .map(|at| entity(Layer::CutInner, screw(*at, width, hole, style.kerf))),
+    );
+    let outline = outline::rectangle(length, width, style.kerf);
+    shapes.push(entity(Layer::CutOuter, outline.into()));
+    let part = Part {
+        id: plate.id.clone(),
+        length,
+        width,
+        ends: [0.0; 2],
+        shapes,
+    };
+    (part, warnings)
 }
 
-/// An opening in the frame of the part.
+fn screw(at: f64, width: f64, hole: f64, kerf: f64) -> Shape {
+    Shape::Circle {
+        centre: [at, 0.5 * width],
+        radius: 0.5 * (hole - kerf),
+    }
+}
+
+/// Where scarfs begin, and which face is planed down from there to the end: the piece before a
+/// joint loses its top, the piece after it its back.
+fn scarfs(piece: &Piece<'_>, style: PartStyle) -> Vec<(Layer, Shape)> {
+    let width = piece.lamella.width * MM;
+    let scarf = |end: &End<'_>| match end {
+        End::Joint(joint) if joint.kind == SpliceKind::Scarf => Some(joint.length * MM),
+        _ => None,
+    };
+    let mut drawn = Vec::new();
+    let ends = [
+        (scarf(&piece.start), "PLANE BACK", "↓"),
+        (scarf(&piece.end), "PLANE TOP", "↑"),
+    ];
+    for (i, (length, words, sign)) in ends.into_iter().enumerate() {
+        let Some(length) = length else { continue };
+        let [from, to] = match i {
+            0 => [0.0, length],
+            _ => [piece.length() - length, piece.length()],
+        };
+        let line = if i == 0 { to } else { from };
+        let score = Path::polyline(&[[line, 0.0], [line, width]], Closure::Open);
+        drawn.push((Layer::Score, score.into()));
+        let room = [to - from - 2.0 * labels::CLEAR, width - 2.0 * labels::CLEAR];
+        let fits = |text: &str| {
+            let height = (room[0] / stroke_font::width(text)).min(style.label_height);
+            (height >= labels::LEAST_HEIGHT && height <= room[1]).then_some(height)
+        };
+        let text = [words, sign]
+            .into_iter()
+            .find_map(|text| Some((text, fits(text)?)));
+        if let Some((text, height)) = text {
+            let x = 0.5 * (from + to - stroke_font::width(text) * height);
+            let text = Text::new(text, [x, 0.5 * (width - height)], height);
+            drawn.push((Layer::Engrave, text.into()));
+        }
+    }
+    drawn
+}
+
+/// An opening in the frame of the whole lamella.
 pub fn opening_shape(lamella: &LamellaRecord, opening: &OpeningRecord, kerf: f64) -> Shape {
     let ([from, to], diameter) = opening_extent(lamella, opening);
     let radius = 0.5 * (diameter - kerf);
@@ -136,20 +241,21 @@ pub fn net_area(lamella: &LamellaRecord) -> f64 {
             Shape::Text(_) => 0.0,
         })
         .sum();
-    outline(lamella, 0.0).area() - openings
+    outline::whole(lamella, 0.0).area() - openings
 }
 
 fn label(
-    lamella: &LamellaRecord,
+    piece: &Piece<'_>,
     neighbours: &Neighbours<'_>,
     style: PartStyle,
 ) -> (Labels, Vec<Diagnostic>) {
+    let lamella = piece.lamella;
     let width = lamella.width * MM;
-    let openings = lamella
-        .openings
-        .iter()
+    let mut openings: Vec<Place> = piece
+        .openings()
         .map(|opening| {
             let ([from, to], diameter) = opening_extent(lamella, opening);
+            let [from, to] = [from - piece.from, to - piece.from];
             let radius = 0.5 * diameter;
             let other = neighbours
                 .crossings
@@ -164,50 +270,67 @@ fn label(
                 label: other.map_or_else(String::new, |(_, other)| {
                     short_id(&other.id, &neighbours.member.patch)
                 }),
+                slide: slide(opening),
             }
         })
         .collect();
+    openings.extend(piece.screws().into_iter().map(|(at, hole)| Place {
+        opening: [at - 0.5 * hole, at + 0.5 * hole],
+        contact: [at - 0.5 * hole, at + 0.5 * hole],
+        label: String::new(),
+        slide: None,
+    }));
+    openings.sort_by(|a, b| a.opening[0].total_cmp(&b.opening[0]));
     let strip = Strip {
-        length: lamella.length * MM,
+        length: piece.length(),
         width,
-        round: 0.5 * width,
+        ends: [&piece.start, &piece.end].map(|end| end.length(width)),
         openings,
     };
-    let labels = labels::place(&strip, [&lamella.id, "→ TOP"], style.label_height);
+    let labels = labels::place(&strip, [piece.id, "→ TOP"], style.label_height);
     let mut warnings = Vec::new();
     if !labels.omitted.is_empty() {
-        let omitted: Vec<String> = labels.omitted.iter().map(|l| format!("`{l}`")).collect();
-        warnings.push(
-            Diagnostic::warning(
-                codes::LABEL_OMITTED,
-                format!(
-                    "no room on lamella `{}` for the label {}",
-                    lamella.id,
-                    omitted.join(", ")
-                ),
-            )
-            .note(format!(
-                "letters are at least {} mm high and keep {} mm from openings and edges",
-                labels::LEAST_HEIGHT,
-                labels::CLEAR
-            ))
-            .about(&lamella.id),
-        );
+        let list: Vec<String> = labels.omitted.iter().map(|l| format!("`{l}`")).collect();
+        warnings.push(omitted(piece.id, &list));
     }
-    if !stroke_font::knows(&lamella.id) {
+    if !stroke_font::knows(piece.id) {
         warnings.push(
             Diagnostic::warning(
                 codes::LABEL_CHARACTERS,
                 format!(
                     "the id `{}` has characters that cannot be engraved",
-                    lamella.id
+                    piece.id
                 ),
             )
             .help("name patches with Latin letters and digits")
-            .about(&lamella.id),
+            .about(piece.id),
         );
     }
     (labels, warnings)
+}
+
+fn omitted(id: &str, list: &[String]) -> Diagnostic {
+    Diagnostic::warning(
+        codes::LABEL_OMITTED,
+        format!(
+            "no room on lamella `{id}` for the label {}",
+            list.join(", ")
+        ),
+    )
+    .note(format!(
+        "letters are at least {} mm high and keep {} mm from openings and edges",
+        labels::LEAST_HEIGHT,
+        labels::CLEAR
+    ))
+    .about(id)
+}
+
+/// Which way the bolt slides in an opening when the grid unfolds.
+fn slide(opening: &OpeningRecord) -> Option<&'static str> {
+    match opening {
+        OpeningRecord::Hole { .. } => None,
+        OpeningRecord::Notch { from, to, .. } => Some(if to > from { "→" } else { "←" }),
+    }
 }
 
 /// How far the strip of a crossing lamella reaches from its centre along this one, at the flatter

@@ -9,6 +9,7 @@
 use super::drawing::{Anchor, Closure, Drawing, Entity, Layer, Palette, Path, Shape, Text};
 use super::nesting::TITLE_STRIP;
 use super::part::Part;
+use super::passage::{self, Seams};
 use super::stroke_font;
 use super::units::MM;
 use crate::plan::SheetRecord;
@@ -28,6 +29,17 @@ pub struct SheetStyle<'a> {
     pub grain: Grain,
     /// Colours of tools.
     pub colours: ColourPreset,
+    /// How good the nesting is, where the plan tells.
+    pub goodness: Option<Goodness>,
+}
+
+/// What is told of a sheet's nesting: sheets that were needed and the least number of them.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Goodness {
+    /// Sheets of this material and thickness.
+    pub sheets: u32,
+    /// No nesting in rows can do with fewer.
+    pub bound: u32,
 }
 
 /// Parts by id.
@@ -51,8 +63,101 @@ pub fn cut_file(sheet: &SheetRecord, parts: &Parts<'_>, style: &SheetStyle<'_>) 
             drawing.draw(*layer, subject, shape.translated(at));
         }
     }
-    let title = format!(
-        "{}   {} {} mm   {} of {:02}   1:1 mm   {}   {}   {}",
+    let title = title(sheet, style, "", &drawing.content_hash());
+    guide(&mut drawing, &title);
+    drawing
+}
+
+/// One cut file for each window of a sheet that is longer than the bed, and whether there is wood
+/// for the pins.
+pub fn window_files(
+    sheet: &SheetRecord,
+    parts: &Parts<'_>,
+    style: &SheetStyle<'_>,
+) -> (Vec<Drawing>, bool) {
+    let windows = passage::windows(sheet);
+    let placed: Vec<(&Part, [f64; 2])> = placed(sheet, parts).collect();
+    let divided: Vec<Seams> = placed
+        .iter()
+        .map(|(part, [x, _])| passage::seams(part, *x, &windows))
+        .collect();
+    let bottom = placed
+        .iter()
+        .map(|(_, at)| at[1])
+        .fold(f64::INFINITY, f64::min);
+    let top = placed
+        .iter()
+        .map(|(part, at)| at[1] + part.width)
+        .fold(0.0, f64::max);
+    let pins: Vec<Vec<[f64; 2]>> = windows
+        .windows(2)
+        .map(|pair| passage::pins(sheet, [bottom, top], [pair[0], pair[1]]))
+        .collect();
+    let pinned = pins.iter().all(|pins| !pins.is_empty());
+    let pin = |[x, y]: [f64; 2], from: f64| Shape::Circle {
+        centre: [x - from, y],
+        radius: 0.5 * (passage::PIN - style.kerf),
+    };
+    let mut drawings = Vec::new();
+    for (i, window) in windows.iter().enumerate() {
+        let size = [window.to - window.from, sheet.width * MM];
+        let number = format!("window {} of {}", i + 1, windows.len());
+        let name = format!(
+            "{} {} of {:02}, {number}",
+            style.project, sheet.id, style.count
+        );
+        let mut drawing = Drawing::new(name, size, Palette::Cut(style.colours));
+        for ((part, at), seams) in placed.iter().zip(&divided) {
+            for entity in passage::share(part, *at, seams, i) {
+                let shape = entity.shape.translated([-window.from, 0.0]);
+                drawing.draw(entity.layer, &entity.subject, shape);
+            }
+        }
+        for at in pins.get(i).into_iter().flatten() {
+            drawing.draw(Layer::CutInner, "", pin(*at, window.from));
+        }
+        for at in i
+            .checked_sub(1)
+            .and_then(|i| pins.get(i))
+            .into_iter()
+            .flatten()
+        {
+            drawing.draw(Layer::Guide, "", pin(*at, window.from));
+        }
+        let step = match windows.get(i + 1) {
+            Some(next) => format!("{number}, then push {:.2} mm", next.from - window.from),
+            None => format!("{number}, the last"),
+        };
+        let title = title(sheet, style, &step, &drawing.content_hash());
+        guide(&mut drawing, &title);
+        drawings.push(drawing);
+    }
+    (drawings, pinned)
+}
+
+/// A part alone: its cuts and nothing else, in a frame that is just large enough.
+pub fn part_file(part: &Part, kerf: f64, colours: ColourPreset) -> Drawing {
+    let shift = [0.5 * kerf; 2];
+    let size = [part.length + kerf, part.width + kerf];
+    let title = format!("{}, {}", part.id, kerf_statement(kerf));
+    let mut drawing = Drawing::new(title, size, Palette::Cut(colours));
+    for entity in &part.shapes {
+        if matches!(entity.layer, Layer::CutInner | Layer::CutOuter) {
+            drawing.draw(entity.layer, &part.id, entity.shape.translated(shift));
+        }
+    }
+    drawing
+}
+
+/// What a workshop must know of a cut file.
+fn title(sheet: &SheetRecord, style: &SheetStyle<'_>, step: &str, hash: &str) -> String {
+    let step = if step.is_empty() {
+        String::new()
+    } else {
+        format!("{step}   ")
+    };
+    format!(
+        "{}   {} {} mm   {} of {:02}   {step}1:1 mm   {}   {}   {hash}",
         style.project,
         sheet.material,
         trim(sheet.thickness * MM),
@@ -60,10 +165,7 @@ pub fn cut_file(sheet: &SheetRecord, parts: &Parts<'_>, style: &SheetStyle<'_>) 
         style.count,
         kerf_statement(style.kerf),
         grain_statement(style.grain),
-        drawing.content_hash(),
-    );
-    guide(&mut drawing, &title);
-    drawing
+    )
 }
 
 /// An overview of a sheet: filled parts with large ids.
@@ -95,8 +197,24 @@ pub fn overview(sheet: &SheetRecord, parts: &Parts<'_>, style: &SheetStyle<'_>) 
         let label = large_label(part, &openings);
         drawing.draw(Layer::Label, &part.id, Shape::Text(label).translated(at));
     }
+    borders(&mut drawing, sheet);
+    let goodness = style.goodness.map_or_else(String::new, |goodness| {
+        let plural = if goodness.sheets == 1 { "" } else { "s" };
+        format!(
+            " ({} sheet{plural}, at least {})",
+            goodness.sheets, goodness.bound
+        )
+    });
+    let pushed = match sheet.windows.as_slice() {
+        [first, second, ..] => format!(
+            "{} windows, push {:.2} mm   ",
+            sheet.windows.len(),
+            (second.from - first.from) * MM
+        ),
+        _ => String::new(),
+    };
     let title = format!(
-        "{}   {} of {:02}   {} {} mm   {} x {} mm   {} parts   yield {:.0} %   {}",
+        "{}   {} of {:02}   {} {} mm   {} x {} mm   {} parts   yield {:.1} %{goodness}   {pushed}{}",
         style.project,
         sheet.id,
         style.count,
@@ -119,6 +237,24 @@ pub fn overview(sheet: &SheetRecord, parts: &Parts<'_>, style: &SheetStyle<'_>) 
         ),
     );
     drawing
+}
+
+/// Where the windows of a sheet begin and end, numbered above the parts.
+fn borders(drawing: &mut Drawing, sheet: &SheetRecord) {
+    let width = sheet.width * MM;
+    let height = 6.0 * drawing.pen;
+    for (i, window) in passage::windows(sheet).into_iter().enumerate() {
+        for x in [window.from, window.to] {
+            if x > 0.0 && x < sheet.length * MM {
+                let line = Path::polyline(&[[x, 0.0], [x, width]], Closure::Open);
+                drawing.draw(Layer::Axis, "", line);
+            }
+        }
+        let at = [window.from + height, width - 1.3 * height];
+        let text = Text::new(format!("{} →", i + 1), at, height);
+        drawing.draw(Layer::Halo, "", text.clone());
+        drawing.draw(Layer::Title, "", text);
+    }
 }
 
 /// Parts with the place of their lower left corner, in the order of rows, each row run in the
@@ -145,7 +281,7 @@ fn placed<'a>(
 }
 
 /// Frame, reference bar and title in the lower margin.
-fn guide(drawing: &mut Drawing, title: &str) {
+pub(super) fn guide(drawing: &mut Drawing, title: &str) {
     let [length, width] = drawing.size;
     drawing.draw(Layer::Guide, "", Path::rectangle([0.0; 2], [length, width]));
     let strip = TITLE_STRIP * MM;
@@ -181,8 +317,9 @@ fn large_label(part: &Part, openings: &[[f64; 2]]) -> Text {
     let full = 0.55 * part.width;
     let width = stroke_font::width(&part.id);
     let fitting = |[from, to]: [f64; 2]| (0.85 * (to - from) / width).min(full);
-    let starts = [0.0].into_iter().chain(openings.iter().map(|o| o[1]));
-    let ends = openings.iter().map(|o| o[0]).chain([part.length]);
+    let [first, last] = part.ends;
+    let starts = [first].into_iter().chain(openings.iter().map(|o| o[1]));
+    let ends = openings.iter().map(|o| o[0]).chain([part.length - last]);
     let mut best = [0.0, part.length];
     let mut height = 0.0;
     for stretch in starts.zip(ends).map(<[f64; 2]>::from) {
@@ -212,7 +349,7 @@ fn grain_statement(grain: Grain) -> &'static str {
 }
 
 /// A dimension as people write it: at most two decimals.
-pub(super) fn trim(value: f64) -> String {
+pub fn trim(value: f64) -> String {
     let text = format!("{value:.2}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

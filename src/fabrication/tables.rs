@@ -1,14 +1,25 @@
 //! Tables for spreadsheets: UTF-8, comma, line feed, decimal points, units in the headers, rows
 //! in the plan's order.
 
-use super::hardware::Series;
+use super::hardware::Fastener;
 use super::index::PlanIndex;
 use super::nodes::nodes;
 use super::part::short_id;
+use super::pieces::{self, End};
+use super::summary::Summary;
 use super::units::MM;
-use crate::plan::{BomRow, CrossingRecord, OpeningRecord, Plan};
+use crate::plan::{BomRow, CrossingRecord, LamellaRecord, OpeningRecord, Plan};
 use crate::project::model::{Family, Grain, Hardware, Material};
 use std::collections::BTreeMap;
+
+/// The structure in a few numbers.
+pub fn summary(plan: &Plan) -> Vec<u8> {
+    let mut table = Table::new(&["what", "value", "unit"]);
+    for (name, value, unit) in Summary::new(plan).lines() {
+        table.row([name, &value, unit]);
+    }
+    table.finish()
+}
 
 /// The shopping list.
 pub fn bom(rows: &[BomRow]) -> Vec<u8> {
@@ -86,51 +97,111 @@ pub fn cut_list(plan: &Plan, materials: &[Material]) -> Vec<u8> {
         let Some(member) = index.member(&lamella.member) else {
             continue;
         };
-        let notches = lamella
-            .openings
-            .iter()
-            .filter(|opening| matches!(opening, OpeningRecord::Notch { .. }))
-            .count();
         let grain = materials
             .iter()
             .find(|m| m.name == lamella.material)
             .map(|m| m.grain);
-        let place = places.get(lamella.id.as_str());
-        table.row([
-            lamella.id.clone(),
-            member.patch.clone(),
-            match member.family {
-                Family::U => "u",
-                Family::V => "v",
-            }
-            .to_owned(),
-            member.index.to_string(),
-            "1".to_owned(),
-            "1".to_owned(),
-            lamella.material.clone(),
-            fixed(lamella.thickness * MM, 2),
-            fixed(lamella.width * MM, 2),
-            fixed(lamella.length * MM, 2),
-            match grain {
-                Some(Grain::Along) => "along",
-                Some(Grain::Across) => "across",
-                Some(Grain::None) => "none",
-                None => "",
-            }
-            .to_owned(),
-            (lamella.openings.len() - notches).to_string(),
-            notches.to_string(),
-            "0".to_owned(),
-            fixed(lamella.mass * 1e3, 2),
-            String::new(),
-            place.map_or_else(String::new, |place| place.sheet.to_owned()),
-            place.map_or_else(String::new, |place| place.row.to_string()),
-            optional(place.map(|place| place.x * MM), 2),
-            optional(place.map(|place| place.y * MM), 2),
-            lamella.id.clone(),
-        ]);
+        let row = |table: &mut Table, part: &PartRow| {
+            let place = places.get(part.id.as_str());
+            table.row([
+                part.id.clone(),
+                member.patch.clone(),
+                match member.family {
+                    Family::U => "u",
+                    Family::V => "v",
+                }
+                .to_owned(),
+                member.index.to_string(),
+                part.piece.clone(),
+                "1".to_owned(),
+                lamella.material.clone(),
+                fixed(lamella.thickness * MM, 2),
+                fixed(lamella.width * MM, 2),
+                fixed(part.length, 2),
+                match grain {
+                    Some(Grain::Along) => "along",
+                    Some(Grain::Across) => "across",
+                    Some(Grain::None) => "none",
+                    None => "",
+                }
+                .to_owned(),
+                part.holes.to_string(),
+                part.notches.to_string(),
+                part.joints.to_string(),
+                fixed(part.mass * 1e3, 2),
+                String::new(),
+                place.map_or_else(String::new, |place| place.sheet.to_owned()),
+                place.map_or_else(String::new, |place| place.row.to_string()),
+                optional(place.map(|place| place.x * MM), 2),
+                optional(place.map(|place| place.y * MM), 2),
+                part.id.clone(),
+            ]);
+        };
+        for part in part_rows(lamella) {
+            row(&mut table, &part);
+        }
     }
     table.finish()
+}
+
+/// What the cut list says of a part besides what it has from its lamella.
+struct PartRow {
+    id: String,
+    /// Its number along the lamella; `plate` for plates.
+    piece: String,
+    /// Millimetres.
+    length: f64,
+    holes: usize,
+    notches: usize,
+    /// Joints at its ends.
+    joints: usize,
+    /// Kilograms; what a joint adds or takes is left out.
+    mass: f64,
+}
+
+/// Pieces and plates of a lamella. Masses of pieces add up to the lamella's.
+fn part_rows(lamella: &LamellaRecord) -> Vec<PartRow> {
+    let pieces = pieces::pieces(lamella);
+    let whole: f64 = lamella.length * MM;
+    let mut rows: Vec<PartRow> = pieces
+        .iter()
+        .enumerate()
+        .map(|(i, piece)| {
+            let is_notch = |o: &&OpeningRecord| matches!(o, OpeningRecord::Notch { .. });
+            let notches = piece.openings().filter(is_notch).count();
+            let [from, to] = lamella
+                .pieces
+                .get(i)
+                .map_or([0.0, whole], |record| [record.from * MM, record.to * MM]);
+            PartRow {
+                id: piece.id.to_owned(),
+                piece: (i + 1).to_string(),
+                length: match lamella.pieces.as_slice() {
+                    [] => whole,
+                    _ => piece.length(),
+                },
+                holes: piece.openings().count() - notches + piece.screws().len(),
+                notches,
+                joints: [piece.start, piece.end]
+                    .iter()
+                    .filter(|end| **end != End::Round)
+                    .count(),
+                mass: lamella.mass * (to - from) / whole,
+            }
+        })
+        .collect();
+    let gross = lamella.width * lamella.length;
+    let density = lamella.mass / gross;
+    rows.extend(pieces::plates(lamella).into_iter().map(|plate| PartRow {
+        piece: "plate".to_owned(),
+        length: plate.to - plate.from,
+        holes: plate.joint.screws.len(),
+        notches: 0,
+        joints: 1,
+        mass: density * lamella.width * (plate.to - plate.from) / MM,
+        id: plate.id,
+    }));
+    rows
 }
 
 /// One line a crossing: where it is, how it slides, what holds it.
@@ -207,8 +278,8 @@ pub fn crossings(plan: &Plan, hardware: &Hardware) -> Vec<u8> {
                     format!("with {}", short_id(bolt.holder, ""))
                 }
             }),
-            (2 * own).to_string(),
-            own.to_string(),
+            bolt.map_or(0, |bolt| own * bolt.washers).to_string(),
+            bolt.map_or(0, |bolt| own * bolt.nuts).to_string(),
             (2 * stickers).to_string(),
         ]);
     }
@@ -220,6 +291,8 @@ struct Bolt<'a> {
     name: String,
     /// Crossing under which it is listed.
     holder: &'a str,
+    washers: usize,
+    nuts: usize,
 }
 
 fn bolts<'a>(
@@ -227,20 +300,21 @@ fn bolts<'a>(
     index: &PlanIndex<'_>,
     hardware: &Hardware,
 ) -> BTreeMap<&'a str, Bolt<'a>> {
-    let foil = hardware.sticker.as_ref().map_or(0.0, |s| s.thickness);
     let mut bolts = BTreeMap::new();
     for node in nodes(&plan.crossings, index, 0.25 * hardware.bolt.diameter) {
-        let stack = node.lamellae_thickness + 2.0 * foil * node.sliding as f64;
-        let length = Series::of(hardware.bolt.diameter).and_then(|s| s.bolt_length(stack).ok());
-        let (Some(length), Some(first)) = (length, node.crossings.first()) else {
+        let fixing = node.fixing(&plan.supports, hardware);
+        let (Some(fastener), Some(first)) = (fixing.fastener, node.crossings.first()) else {
             continue;
         };
+        let (Fastener::Bolt(length) | Fastener::Rod(length)) = fastener;
         for crossing in &node.crossings {
             bolts.insert(
                 crossing.id.as_str(),
                 Bolt {
                     name: format!("{}x{}", hardware.bolt.name, super::sheet::trim(length * MM)),
                     holder: first.id.as_str(),
+                    washers: fixing.washers,
+                    nuts: fixing.nuts,
                 },
             );
         }
@@ -297,7 +371,7 @@ fn places(plan: &Plan) -> BTreeMap<&str, PlaceOnSheet<'_>> {
 }
 
 /// A number with a fixed count of decimals; a negative zero loses its sign.
-fn fixed(value: f64, digits: usize) -> String {
+pub(super) fn fixed(value: f64, digits: usize) -> String {
     let text = format!("{value:.digits$}");
     match text.strip_prefix('-') {
         Some(rest) if rest.bytes().all(|b| b == b'0' || b == b'.') => rest.to_owned(),
@@ -305,27 +379,27 @@ fn fixed(value: f64, digits: usize) -> String {
     }
 }
 
-fn optional(value: Option<f64>, digits: usize) -> String {
+pub(super) fn optional(value: Option<f64>, digits: usize) -> String {
     value.map_or_else(String::new, |value| fixed(value, digits))
 }
 
 /// A table in the making.
-struct Table(csv::Writer<Vec<u8>>);
+pub(super) struct Table(csv::Writer<Vec<u8>>);
 
 impl Table {
-    fn new(header: &[&str]) -> Self {
+    pub(super) fn new(header: &[&str]) -> Self {
         let mut table = Self(csv::Writer::from_writer(Vec::new()));
         table.row(header);
         table
     }
 
-    fn row<T: AsRef<[u8]>>(&mut self, fields: impl IntoIterator<Item = T>) {
+    pub(super) fn row<T: AsRef<[u8]>>(&mut self, fields: impl IntoIterator<Item = T>) {
         self.0
             .write_record(fields)
             .expect("memory takes every byte and all rows have the header's length");
     }
 
-    fn finish(self) -> Vec<u8> {
+    pub(super) fn finish(self) -> Vec<u8> {
         self.0.into_inner().expect("memory takes every byte")
     }
 }

@@ -85,11 +85,16 @@ fn place(
                 Diagnostic::warning(
                     codes::FAR_ANCHOR,
                     format!(
-                        "`{name}` is {} m away from the surface",
+                        "`{name}` at {} is {} m away from the surface",
+                        super::place(Point3::from(at)),
                         metres(closest.distance, mesh)
                     ),
                 )
                 .about(name)
+                .note(format!(
+                    "it was moved to {}",
+                    super::place(closest.point.position(mesh))
+                ))
                 .note(extent(mesh))
                 .help("check the coordinates, `project.units` and `surface.units`")
             });

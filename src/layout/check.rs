@@ -1,6 +1,6 @@
 //! Whether four sides make a quadrilateral.
 
-use super::{Domain, Side};
+use super::{Domain, Side, place};
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::layout as codes;
 use crate::geodesic::{Curve, angle_between, crossings};
@@ -10,7 +10,7 @@ use crate::surface::Tangent;
 const CORNER: f64 = 0.02;
 
 /// Faults of a patch as a quadrilateral on the surface. Corners are counted from 1; key paths
-/// name the field `corners`.
+/// and names are those of the field `corners`.
 pub fn check_quad(domain: &Domain) -> Vec<Diagnostic> {
     let mut faults = crossing_sides(domain);
     if faults.is_empty() {
@@ -49,14 +49,16 @@ fn corner_angles(domain: &Domain) -> [Option<f64>; 4] {
 
 fn folded_corners(domain: &Domain) -> Vec<Diagnostic> {
     let mut faults = Vec::new();
+    let corners = domain.corners();
     for (i, angle) in corner_angles(domain).into_iter().enumerate() {
         let Some(angle) = angle else { continue };
         let degrees = angle.to_degrees();
+        let (number, at) = (i + 1, place(corners[i].position(domain.mesh())));
         let (message, help) = if angle > std::f64::consts::PI + CORNER {
             (
                 format!(
-                    "the patch turns inwards at corner {}: its sides meet there at {degrees:.1}°",
-                    i + 1
+                    "patch {{.}} turns inwards at corner {number} {{.corners[{i}]}} at {at}: its \
+                     sides meet there at {degrees:.1}°"
                 ),
                 "move the corner outwards, or make two patches that meet there: members across a \
                  corner of more than 180° would leave the patch",
@@ -64,8 +66,8 @@ fn folded_corners(domain: &Domain) -> Vec<Diagnostic> {
         } else if !(CORNER..=std::f64::consts::PI - CORNER).contains(&angle) {
             (
                 format!(
-                    "the patch has no corner {}: its sides meet there at {degrees:.1}°",
-                    i + 1
+                    "patch {{.}} has no corner {number} {{.corners[{i}]}} at {at}: its sides meet \
+                     there at {degrees:.1}°"
                 ),
                 "list the corners in order around the patch, and keep them apart",
             )
@@ -85,7 +87,14 @@ fn crossing_sides(domain: &Domain) -> Vec<Diagnostic> {
     let mesh = domain.mesh();
     let sides = [&domain.ab, &domain.bc, &domain.dc, &domain.ad];
     let curves = sides.map(|side| Curve::new(mesh, &side.path().points));
-    let name = |i: usize| format!("{}-{}", i + 1, (i + 1) % 4 + 1);
+    let name = |i: usize| {
+        let next = (i + 1) % 4;
+        format!(
+            "{}-{} (from {{.corners[{i}]}} to {{.corners[{next}]}})",
+            i + 1,
+            next + 1
+        )
+    };
     let mut faults = Vec::new();
     for i in 0..4 {
         for j in i + 1..4 {
@@ -99,18 +108,14 @@ fn crossing_sides(domain: &Domain) -> Vec<Diagnostic> {
                     && at_end(hit.on_second, curves[j].length()))
             });
             if let Some(hit) = inner {
-                let p = hit.point.position(mesh);
                 faults.push(
                     Diagnostic::error(
                         codes::SIDES_CROSS,
                         format!(
-                            "sides {} and {} of the patch meet at ({:.4}, {:.4}, {:.4}) m, \
-                             between their corners",
+                            "sides {} and {} of patch {{.}} meet at {}, between their corners",
                             name(i),
                             name(j),
-                            p.x,
-                            p.y,
-                            p.z
+                            place(hit.point.position(mesh)),
                         ),
                     )
                     .at_key(".corners", "the corners of this patch")

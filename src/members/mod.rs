@@ -17,4 +17,4 @@ mod weave;
 
 pub use member::{Member, crossing_label, id_in, member_label};
 pub use refine::{Between, Given, RefineError, boundary_member, refine};
-pub use weave::{Ground, WeaveError, weave};
+pub use weave::{Drift, Ground, WeaveError, Woven, weave};

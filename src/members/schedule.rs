@@ -15,6 +15,19 @@ pub struct Schedule {
     /// The objective (paper, Problem 3) with members even on the first side of each lane only,
     /// over that of the distribution taken: at least 1.
     pub evenness_gained: f64,
+    /// Where members that went once around come back to where they began.
+    pub seams: Vec<Seam>,
+}
+
+/// Where a ring of passages closes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Seam {
+    /// The passage on whose start side members begin.
+    pub first: usize,
+    /// The passage by which they come back.
+    pub last: usize,
+    /// The end by which they leave it.
+    pub leave: End,
 }
 
 /// Importance of a side in the distribution.
@@ -29,6 +42,7 @@ pub fn schedule(passages: &[Passage<'_>], weight: Weight<'_>) -> Result<Schedule
     } = lanes(passages)?;
     let mut threads = given;
     let (mut even, mut taken) = (0.0, 0.0);
+    let mut seams = Vec::new();
     for (lane, &spaces) in spaces.iter().enumerate() {
         let walked = Walked::new(passages, &stretches, lane);
         let sides = walked.sides(passages, weight);
@@ -36,6 +50,7 @@ pub fn schedule(passages: &[Passage<'_>], weight: Weight<'_>) -> Result<Schedule
         let shares = distribute(&sides, (low, high), spaces + 1);
         let step = (high - low) / f64::from(spaces);
         let evenly: Vec<f64> = (0..=spaces).map(|i| low + step * f64::from(i)).collect();
+        seams.extend(walked.seam);
         even += objective(&sides, &evenly);
         taken += objective(&sides, &shares);
         let side = passages[walked.origin.passage].start;
@@ -50,6 +65,7 @@ pub fn schedule(passages: &[Passage<'_>], weight: Weight<'_>) -> Result<Schedule
     Ok(Schedule {
         threads,
         evenness_gained,
+        seams,
     })
 }
 
@@ -58,6 +74,8 @@ struct Walked {
     origin: Stretch,
     forward: Vec<Hop>,
     backward: Vec<Hop>,
+    /// Where the lane comes back to its first stretch, if it is a ring.
+    seam: Option<Seam>,
 }
 
 impl Walked {
@@ -72,6 +90,7 @@ impl Walked {
         let mut seen = vec![origin.passage];
         let mut walk = |mut from: Stretch, mut leave: End| {
             let mut hops = Vec::new();
+            let mut last = (from, leave);
             while let Some((next, enter)) = meeting(passages, &all, &from, leave, &seen) {
                 seen.push(next.passage);
                 hops.push(Hop {
@@ -80,19 +99,30 @@ impl Walked {
                 });
                 from = next;
                 leave = opposite(enter);
+                last = (from, leave);
             }
-            hops
+            (hops, last)
         };
         let mut forward = vec![Hop {
             passage: origin.passage,
             enter: End::Start,
         }];
-        forward.extend(walk(origin, End::End));
-        let backward = walk(origin, End::Start);
+        let (onward, (last, leave)) = walk(origin, End::End);
+        forward.extend(onward);
+        let (backward, _) = walk(origin, End::Start);
+        let comes_back = overlaps(
+            on_line(passages, &last, leave),
+            on_line(passages, &origin, End::Start),
+        );
         Self {
             origin,
             forward,
             backward,
+            seam: comes_back.then_some(Seam {
+                first: origin.passage,
+                last: last.passage,
+                leave,
+            }),
         }
     }
 
@@ -158,8 +188,7 @@ fn meeting(
         .find_map(|next| {
             [End::Start, End::End].into_iter().find_map(|enter| {
                 let there = on_line(passages, next, enter);
-                let overlap = here.2.min(there.2) - here.1.max(there.1);
-                (here.0 == there.0 && overlap > 0.5 * (here.2 - here.1)).then_some((*next, enter))
+                overlaps(here, there).then_some((*next, enter))
             })
         })
 }
@@ -173,6 +202,12 @@ fn on_line(passages: &[Passage<'_>], stretch: &Stretch, end: End) -> (u32, f64, 
     };
     let [a, b] = shares.map(|share| piece.line_share(share));
     (piece.line, a.min(b), a.max(b))
+}
+
+/// Whether two stretches of a line are one but for rounding.
+fn overlaps(here: (u32, f64, f64), there: (u32, f64, f64)) -> bool {
+    let overlap = here.2.min(there.2) - here.1.max(there.1);
+    here.0 == there.0 && overlap > 0.5 * (here.2 - here.1)
 }
 
 fn opposite(end: End) -> End {
@@ -276,6 +311,12 @@ mod tests {
         assert_eq!(schedule.threads.len(), 3);
         assert_eq!(schedule.threads[0].walks.len(), 1);
         assert_eq!(schedule.threads[0].walks[0].len(), 2);
+        let seam = Seam {
+            first: 0,
+            last: 1,
+            leave: End::End,
+        };
+        assert_eq!(schedule.seams, [seam]);
     }
 
     #[test]

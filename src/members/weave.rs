@@ -1,7 +1,7 @@
 //! Exact members of a strip: threads followed from patch to patch, each member starting exactly
 //! where the one before it ends.
 
-use super::schedule::Schedule;
+use super::schedule::{Schedule, Seam};
 use super::threads::{End, LinePiece, Thread};
 use super::{Between, Given, Member, RefineError, boundary_member, refine};
 use crate::cladding::Clad;
@@ -9,6 +9,7 @@ use crate::geodesic::Geodesics;
 use crate::layout::Domain;
 use crate::project::model::Family;
 use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// One family of one patch with its geometry.
 #[derive(Debug, Clone, Copy)]
@@ -36,6 +37,27 @@ impl Ground<'_> {
     }
 }
 
+/// The members of a strip.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct Woven {
+    /// Members of each passage, by ascending share of its start side; the first and the last are
+    /// sides of the patch.
+    pub members: Vec<Vec<Member>>,
+    /// Of a ring: how far beside its beginning a member ends at most.
+    pub drift: Option<Drift>,
+}
+
+/// How far the members of a ring miss their own beginnings.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct Drift {
+    /// At most, metres.
+    pub metres: f64,
+    /// The same as a share of the side where they meet.
+    pub share: f64,
+    /// The passage on whose start side they meet.
+    pub passage: usize,
+}
+
 /// A member that could not be made.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WeaveError {
@@ -49,12 +71,11 @@ pub struct WeaveError {
     pub why: RefineError,
 }
 
-/// Members of each passage, by ascending share of its start side; the first and the last are sides
-/// of the patch.
+/// All members of a strip.
 ///
 /// # Errors
 /// The first member, in the order of threads, that could not be made.
-pub fn weave(grounds: &[Ground<'_>], schedule: &Schedule) -> Result<Vec<Vec<Member>>, WeaveError> {
+pub fn weave(grounds: &[Ground<'_>], schedule: &Schedule) -> Result<Woven, WeaveError> {
     let geodesics: Vec<Geodesics<'_>> = grounds
         .iter()
         .map(|g| Geodesics::new(g.domain.mesh()))
@@ -74,7 +95,38 @@ pub fn weave(grounds: &[Ground<'_>], schedule: &Schedule) -> Result<Vec<Vec<Memb
             member.index = index as u32;
         }
     }
-    Ok(members)
+    let drifts = schedule
+        .seams
+        .iter()
+        .map(|seam| drift(grounds, &members, *seam));
+    let drift = drifts.max_by(|a, b| a.metres.total_cmp(&b.metres));
+    Ok(Woven { members, drift })
+}
+
+/// How far members that come back at a seam miss those that begin there.
+fn drift(grounds: &[Ground<'_>], members: &[Vec<Member>], seam: Seam) -> Drift {
+    let begin = &grounds[seam.first];
+    let back = &grounds[seam.last];
+    let begins = members[seam.first]
+        .iter()
+        .map(|m| begin.start.line_share(m.start));
+    let returns = members[seam.last].iter().map(|m| match seam.leave {
+        End::Start => back.start.line_share(m.start),
+        End::End => back.end.line_share(m.end),
+    });
+    let mut places: [Vec<f64>; 2] = [begins.collect(), returns.collect()];
+    for list in &mut places {
+        list.sort_by(f64::total_cmp);
+    }
+    let [begins, returns] = &places;
+    let missed = begins.iter().zip(returns).map(|(a, b)| (a - b).abs());
+    let on_line = missed.fold(0.0, f64::max);
+    let share = on_line / (begin.start.to - begin.start.from).abs();
+    Drift {
+        metres: share * begin.domain.start(begin.family).length(),
+        share,
+        passage: seam.first,
+    }
 }
 
 /// The two boundary members.

@@ -7,12 +7,13 @@
 use super::document::{
     Cladding, CladdingFunction, CrossingRecord, Diagonals, EdgeRecord, Eta, LamellaRecord,
     MemberRecord, OpeningRecord, PatchCurvature, PatchRecord, Plan, PointRecord, Positions, Range,
-    SideRecord, SurfaceRecord,
+    RingRecord, SideRecord, StripRecord, SurfaceRecord,
 };
 use crate::cladding::{Clad, CladdingFunction as Function};
 use crate::grid::{Crossing, Lamella, Opening, Section};
 use crate::layout::{Domain, Side};
-use crate::members::{Member, crossing_label, id_in, member_label};
+use crate::members::schedule::Schedule;
+use crate::members::{Drift, Member, crossing_label, id_in, member_label};
 use crate::splitting::Feasibility;
 use crate::surface::{Curvature, Mesh, Point3, SurfacePoint};
 
@@ -270,6 +271,33 @@ fn edge_record(mesh: &Mesh, edge: &EdgePiece<'_>) -> EdgeRecord {
     }
 }
 
+/// What a strip consists of.
+#[derive(Debug, Clone, Copy)]
+pub struct StripNames<'a> {
+    /// Its families: `west.v`.
+    pub families: &'a [String],
+    /// Whether it was asked to close.
+    pub closed: bool,
+}
+
+/// The chapter of a strip.
+pub fn strip_chapter(names: &StripNames<'_>, schedule: &Schedule, drift: Option<Drift>) -> Plan {
+    let mut families = names.families.to_vec();
+    families.sort_unstable();
+    Plan {
+        strips: vec![StripRecord {
+            id: families[0].clone(),
+            families,
+            evenness_gained: schedule.evenness_gained,
+            ring: drift.map(|drift| RingRecord {
+                closed: names.closed,
+                drift: drift.metres,
+            }),
+        }],
+        ..Plan::default()
+    }
+}
+
 /// Puts chapters together; records are sorted by id.
 pub fn bind<'a>(name: &str, chapters: impl Iterator<Item = &'a Plan>) -> Plan {
     let mut plan = Plan {
@@ -283,6 +311,7 @@ pub fn bind<'a>(name: &str, chapters: impl Iterator<Item = &'a Plan>) -> Plan {
         plan.points.extend_from_slice(&chapter.points);
         plan.edges.extend_from_slice(&chapter.edges);
         plan.patches.extend_from_slice(&chapter.patches);
+        plan.strips.extend_from_slice(&chapter.strips);
         plan.members.extend_from_slice(&chapter.members);
         plan.crossings.extend_from_slice(&chapter.crossings);
         plan.lamellae.extend_from_slice(&chapter.lamellae);
@@ -290,6 +319,7 @@ pub fn bind<'a>(name: &str, chapters: impl Iterator<Item = &'a Plan>) -> Plan {
     plan.points.sort_by(|a, b| a.id.cmp(&b.id));
     plan.edges.sort_by(|a, b| a.id.cmp(&b.id));
     plan.patches.sort_by(|a, b| a.id.cmp(&b.id));
+    plan.strips.sort_by(|a, b| a.id.cmp(&b.id));
     plan.members.sort_by(|a, b| a.id.cmp(&b.id));
     plan.crossings.sort_by(|a, b| a.id.cmp(&b.id));
     plan.lamellae.sort_by(|a, b| a.id.cmp(&b.id));

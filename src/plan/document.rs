@@ -25,6 +25,8 @@ pub struct Plan {
     pub edges: Vec<EdgeRecord>,
     /// Geodesic quadrilaterals.
     pub patches: Vec<PatchRecord>,
+    /// Families that members run through one after the other.
+    pub strips: Vec<StripRecord>,
     /// Grid curves.
     pub members: Vec<MemberRecord>,
     /// Where a u-member meets a v-member.
@@ -33,8 +35,12 @@ pub struct Plan {
     pub lamellae: Vec<LamellaRecord>,
     /// Panels with their parts.
     pub sheets: Vec<SheetRecord>,
+    /// What was needed of each material and thickness, and how good that is.
+    pub nesting: Vec<NestingRecord>,
     /// Foils between lamellae, in the order of assembly.
     pub stickers: Vec<StickerRecord>,
+    /// Sheets of foil with their stickers; the places are those of the stickers' cards.
+    pub foils: Vec<SheetRecord>,
     /// What the structure stands on.
     pub supports: Vec<SupportRecord>,
     /// What to buy.
@@ -222,6 +228,33 @@ pub struct CladdingFunction {
     pub slope_max: f64,
 }
 
+/// Families whose members run on from patch to patch, or depend on each other through T-junctions.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct StripRecord {
+    /// Its first family: `west.v`.
+    pub id: String,
+    /// Its families, sorted.
+    pub families: Vec<String>,
+    /// How much more even its members are than if they were even on the side where they begin:
+    /// the sum of squared distances (paper, Problem 3) before, over that after; at least 1.
+    #[serde(serialize_with = "round::share")]
+    pub evenness_gained: f64,
+    /// If its patches go around and meet again.
+    pub ring: Option<RingRecord>,
+}
+
+/// A ring of patches.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct RingRecord {
+    /// Whether its members were asked to end where they began.
+    pub closed: bool,
+    /// How far beside its beginning a member ends at most, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub drift: f64,
+}
+
 /// A grid curve.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
@@ -350,14 +383,23 @@ pub struct PieceRecord {
 }
 
 /// How two pieces are joined.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct JointRecord {
     /// Fingers, scarf or plate.
     pub kind: SpliceKind,
-    /// Length that the joint takes along the lamella, metres.
+    /// Length that the joint takes along the lamella, metres: of the fingers, the scarf or the
+    /// plate.
     #[serde(serialize_with = "round::metres")]
     pub length: f64,
+    /// Fingers of each of the two pieces; none for other joints.
+    pub fingers: u32,
+    /// Screws through lamella and plate, from the start of the lamella; none for other joints.
+    #[serde(serialize_with = "round::metres")]
+    pub screws: Vec<f64>,
+    /// Cut diameter of the holes for the screws, metres; 0 without screws.
+    #[serde(serialize_with = "round::metres")]
+    pub hole: f64,
 }
 
 /// An opening of a lamella. Positions are arc lengths from the start of the member, metres.
@@ -420,8 +462,54 @@ pub struct SheetRecord {
     /// Share of the panel's area that becomes parts.
     #[serde(serialize_with = "round::share")]
     pub yield_share: f64,
+    /// Width of the cut that the drawings compensate, metres; 0 for nominal geometry.
+    #[serde(serialize_with = "round::metres")]
+    pub kerf: f64,
     /// Parts by id.
     pub parts: Vec<PlacedPart>,
+    /// Where the panel lies on the bed, step by step as it is pushed through the machine; none
+    /// for a panel that the bed takes as a whole.
+    pub windows: Vec<WindowRecord>,
+}
+
+/// A stretch of a panel that lies on the bed at one time, metres along the panel.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct WindowRecord {
+    /// Where the bed begins; it is as far from the beginning of the window before as the panel
+    /// is pushed.
+    #[serde(serialize_with = "round::metres")]
+    pub from: f64,
+    /// Where the bed ends.
+    #[serde(serialize_with = "round::metres")]
+    pub to: f64,
+}
+
+/// What was needed of one material and thickness.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct NestingRecord {
+    /// Name of the material.
+    pub material: String,
+    /// Metres.
+    #[serde(serialize_with = "round::metres")]
+    pub thickness: f64,
+    /// Sheets to cut.
+    pub sheets: u32,
+    /// No nesting in rows can do with fewer sheets of this size.
+    pub sheets_bound: u32,
+    /// Rows of parts on all sheets.
+    pub rows: u32,
+    /// No nesting in rows can do with fewer rows.
+    pub rows_bound: u32,
+    /// Panels to buy.
+    pub panels: u32,
+    /// Area of parts over area of sheets.
+    #[serde(serialize_with = "round::share")]
+    pub yield_share: f64,
+    /// The yield of a nesting that reaches both bounds: no nesting in rows has a higher one.
+    #[serde(serialize_with = "round::share")]
+    pub yield_bound: f64,
 }
 
 /// A part on a sheet: its lower left corner, metres; the part lies along the length.
@@ -453,15 +541,10 @@ pub struct StickerRecord {
     pub lamella: String,
     /// The face that it covers.
     pub face: Face,
-    /// Where it begins.
+    /// Its four corners, counter-clockwise as seen on the top face of the lamella: along it, and
+    /// across it from its middle line, metres. The first two lie on its right edge.
     #[serde(serialize_with = "round::metres")]
-    pub from: f64,
-    /// Where it ends.
-    #[serde(serialize_with = "round::metres")]
-    pub to: f64,
-    /// Across the lamella, metres.
-    #[serde(serialize_with = "round::metres")]
-    pub width: f64,
+    pub outline: [[f64; 2]; 4],
     /// First and last centre of the bolt in its slot.
     #[serde(serialize_with = "round::metres")]
     pub slot: [f64; 2],
@@ -488,9 +571,11 @@ pub struct SupportRecord {
     pub id: String,
     /// The anchor or crossing that it carries.
     pub at: String,
+    /// Ids of the crossings whose bolt holds it.
+    pub crossings: Vec<String>,
     /// What it is.
     pub kind: SupportKind,
-    /// Middle of its contact face, metres.
+    /// Middle of its contact face, metres: half the stack of lamellae below the surface.
     #[serde(serialize_with = "round::metres")]
     pub position: [f64; 3],
     /// Unit normal of the contact face, upwards.
@@ -499,24 +584,49 @@ pub struct SupportRecord {
     /// Angle of the contact face to the horizontal, degrees.
     #[serde(serialize_with = "round::degrees")]
     pub tilt: f64,
-    /// Direction in which the contact face falls, degrees counter-clockwise from x.
+    /// Direction in which the contact face falls, degrees counter-clockwise from x; 0 if it is
+    /// level.
     #[serde(serialize_with = "round::degrees")]
     pub azimuth: f64,
     /// Middle of the contact face above the ground, metres.
     #[serde(serialize_with = "round::metres")]
     pub height: f64,
-    /// Diameter of the contact face, metres.
+    /// Length of its bolt under the head, metres.
+    #[serde(serialize_with = "round::metres")]
+    pub bolt_length: f64,
+    /// Shape of its body; none where the contact face is too steep for a foot below it.
+    pub body: Option<SupportBody>,
+}
+
+/// The body of a support. Metres, cubic metres, kilograms, newtons.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct SupportBody {
+    /// Diameter of the contact face of a printed foot; side of a wedge or block, in plan.
     #[serde(serialize_with = "round::metres")]
     pub pad: f64,
-    /// Diameter or side of the foot, metres.
+    /// Diameter of a printed foot, side of a square block.
     #[serde(serialize_with = "round::metres")]
     pub foot: f64,
-    /// Cubic metres, the wedge apart.
-    #[serde(serialize_with = "round::quantity")]
+    /// Diameter of the hole for the bolt, square to the contact face.
+    #[serde(serialize_with = "round::metres")]
+    pub bore: f64,
+    /// Depth of that hole.
+    #[serde(serialize_with = "round::metres")]
+    pub depth: f64,
+    /// Height of the block at its middle; without a wedge, that of the support.
+    #[serde(serialize_with = "round::metres")]
+    pub block: f64,
+    /// Volume, the wedge apart.
+    #[serde(serialize_with = "round::cubic_metres")]
     pub volume: f64,
-    /// Kilograms, where the material is known.
+    /// Mass, the wedge apart; a printed foot is taken as solid.
     #[serde(serialize_with = "round::kilograms")]
     pub mass: f64,
+    /// Horizontal thrust at the contact face that tips it over the nearest edge of its foot
+    /// if nothing but its own weight holds it.
+    #[serde(serialize_with = "round::quantity")]
+    pub tipping_thrust: f64,
 }
 
 /// One line of the shopping list.
@@ -573,12 +683,15 @@ impl Default for Plan {
             points: Vec::new(),
             edges: Vec::new(),
             patches: Vec::new(),
+            strips: Vec::new(),
             members: Vec::new(),
             crossings: Vec::new(),
             lamellae: Vec::new(),
             stickers: Vec::new(),
+            foils: Vec::new(),
             supports: Vec::new(),
             sheets: Vec::new(),
+            nesting: Vec::new(),
             bill_of_materials: Vec::new(),
             diagnostics: Vec::new(),
         }

@@ -58,6 +58,14 @@ impl Numbers for [f64; 3] {
     }
 }
 
+impl Numbers for [f64; 4] {
+    type Rounded = [f64; 4];
+
+    fn map(&self, f: &dyn Fn(f64) -> f64) -> Self::Rounded {
+        self.each_ref().map(|x| x.map(f))
+    }
+}
+
 impl Numbers for [[f64; 2]; 4] {
     type Rounded = [[f64; 2]; 4];
 
@@ -131,6 +139,14 @@ pub(super) fn quantity<T: Numbers + Serialize, S: Serializer>(
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
     written(value, &to_decimals(6), serializer)
+}
+
+/// Volumes in cubic metres: to the cubic millimetre.
+pub(super) fn cubic_metres<T: Numbers + Serialize, S: Serializer>(
+    value: &T,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
+    written(value, &to_decimals(9), serializer)
 }
 
 /// Curvatures: to six significant digits, the estimate has no more.

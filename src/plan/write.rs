@@ -24,11 +24,16 @@ pub enum ReadError {
 /// # Panics
 /// Never: a plan holds nothing that RON cannot write.
 pub fn to_ron(plan: &Plan) -> String {
+    ron_to_depth(plan, 2)
+}
+
+/// A document as RON in which what lies deeper than `depth` stands on one line.
+pub(super) fn ron_to_depth(document: &impl serde::Serialize, depth: usize) -> String {
     let config = ron::ser::PrettyConfig::new()
         .new_line("\n")
         .indentor("  ")
-        .depth_limit(2);
-    let mut text = ron::ser::to_string_pretty(plan, config).expect("plain records");
+        .depth_limit(depth);
+    let mut text = ron::ser::to_string_pretty(document, config).expect("plain records");
     text.push('\n');
     text
 }

@@ -10,6 +10,7 @@
 //! - [`load`] is the way in; [`decode`] turns bytes into its text.
 //! - [`model`] is what stages see: SI units, no positions.
 //! - [`strips`] chains families of members over shared sides; the layout uses it too.
+//! - [`layout_text`] writes points and patches back as text of a file.
 //! - [`materials`] is the built-in table, [`schema`] the JSON schema for editors, [`template`]
 //!   the file that `egg init` writes, [`unbuilt`] what a build says about sections that no stage
 //!   of its pipeline reads.
@@ -20,6 +21,7 @@
 mod check;
 mod decimal;
 mod file;
+mod layout_text;
 pub mod materials;
 pub mod model;
 mod notation;
@@ -38,6 +40,7 @@ use model::Project;
 use notation::{Node, Value};
 
 pub use file::words::FORMAT;
+pub use layout_text::{LengthText, layout_text};
 pub use notation::Notation;
 pub use schema::schema;
 pub use template::{TEMPLATE_EXTENT, template};

@@ -206,16 +206,16 @@ pub struct Supports {
     pub at: SupportPlaces,
     /// What.
     pub kind: SupportKind,
-    /// Height of the lowest support above the ground, metres.
+    /// Height of the lowest contact face above the ground, metres; 0: as low as supports can be.
     pub height: f64,
 }
 
 /// Where supports stand.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub enum SupportPlaces {
-    /// At the corners of the patches.
+    /// At the corners of the patches along the rim.
     Corners,
-    /// At every crossing of a boundary member.
+    /// At every crossing on the rim.
     EveryBoundaryCrossing,
     /// At the listed points or crossings.
     Listed(Vec<String>),
@@ -262,6 +262,8 @@ pub struct Sticker {
     pub thickness: f64,
     /// Margin around the contact area, metres.
     pub margin: f64,
+    /// Length and width of a sheet of foil, metres.
+    pub sheet: [f64; 2],
 }
 
 /// A tube around the bolt.
@@ -331,6 +333,9 @@ pub enum ColourPreset {
     RedCut,
     /// Blue cuts, red scores, black engraves.
     BlueCut,
+    /// A colour for every layer, for shops that go by the layers' names: red outlines, blue
+    /// openings, green scores, black engraves.
+    ByLayer,
 }
 
 /// How a long lamella is joined.

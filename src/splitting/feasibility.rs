@@ -1,9 +1,8 @@
-//! Feasibility of a patch: curvature, coverage of its peaks, diagonals.
+//! Measures of a patch that do not depend on its flat state: curvature, coverage of its peaks,
+//! longest geodesic, diagonals.
 
 use super::{Coverage, coverage};
-use crate::cladding::Clad;
-use crate::diagnostics::Diagnostic;
-use crate::diagnostics::codes::cladding as codes;
+use crate::cladding::Maps;
 use crate::geodesic::{GeodesicError, Geodesics};
 use crate::layout::{Domain, vertices_inside};
 use crate::surface::curvature::{BORDER_RINGS, Curvature, PeakOptions, peaks};
@@ -17,18 +16,41 @@ pub struct Feasibility {
     pub curvature_max: f64,
     /// Where it is.
     pub peak: Point3,
-    /// Coverage of each significant peak, highest first: by the u- and the v-family.
-    pub coverage: Vec<[Coverage; 2]>,
-    /// Places of these peaks.
-    pub peaks: Vec<Point3>,
+    /// The significant peaks, highest first.
+    pub peaks: Vec<JudgedPeak>,
+    /// The longest shortest geodesic between opposite sides, metres.
+    pub longest: f64,
     /// Diagonals A-C and B-D on the surface, metres.
     pub diagonals: [f64; 2],
+    /// Halfway between the middles of the sides AB and DC.
+    pub centre: Point3,
+}
+
+/// A significant peak of curvature and how the families cover it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub struct JudgedPeak {
+    /// Where it is.
+    pub place: Point3,
+    /// Gaussian curvature, 1/m².
+    pub gaussian: f64,
+    /// By the u- and the v-family.
+    pub coverage: [Coverage; 2],
+}
+
+impl JudgedPeak {
+    /// η of the u- and the v-family.
+    pub fn eta(&self) -> [f64; 2] {
+        self.coverage.map(|cover| cover.eta)
+    }
 }
 
 impl Feasibility {
     /// Largest η of the u- and the v-family over all peaks; 1 where there is none.
     pub fn eta(&self) -> [f64; 2] {
-        [0, 1].map(|i| self.coverage.iter().map(|c| c[i].eta).fold(1.0, f64::max))
+        let etas = self.peaks.iter().map(JudgedPeak::eta);
+        etas.fold([1.0, 1.0], |[u, v]: [f64; 2], eta| {
+            [u.max(eta[0]), v.max(eta[1])]
+        })
     }
 
     /// π / sqrt(K): shorter geodesics are unique (paper, Expression 1). `None` where the patch is
@@ -39,11 +61,13 @@ impl Feasibility {
 }
 
 /// Measures a patch. `mesh` and `curvature` are those of the whole surface, of which the domain is
-/// a part.
+/// a part; `maps` are the distance maps of the patch, `slope` the bounds of cladding functions.
 pub fn feasibility(
     mesh: &Mesh,
     curvature: &Curvature,
     domain: &Domain,
+    maps: &Maps<'_>,
+    slope: [f64; 2],
 ) -> Result<Feasibility, GeodesicError> {
     let region: Vec<u32> = vertices_inside(domain.mesh(), &domain.ring(), domain.turns_left())
         .into_iter()
@@ -52,31 +76,33 @@ pub fn feasibility(
     let [a, b, c, d] = domain.corners();
     let highest = highest(mesh, curvature, &region, domain.part.point_to_parent(&a));
     let geodesics = Geodesics::new(domain.mesh());
-    // A curvature peak on the rim of the patch has no two sides of it to be passed on.
-    let significant: Vec<u32> = peaks(mesh, curvature, &region, PeakOptions::default())
-        .into_iter()
-        .filter(|peak| !peak.on_rim)
-        .map(|peak| peak.vertex)
-        .collect();
-    let cover = |vertex: &u32| {
-        let in_part = domain.part.vertex_from_parent(*vertex)?;
-        Some(coverage(domain, &geodesics, &SurfacePoint::Vertex(in_part)))
-    };
+    let mut judged = Vec::new();
+    for peak in peaks(mesh, curvature, &region, PeakOptions::default()) {
+        // A curvature peak on the rim of the patch has no two sides of it to be passed on.
+        let in_part = domain.part.vertex_from_parent(peak.vertex);
+        let Some(vertex) = in_part.filter(|_| !peak.on_rim) else {
+            continue;
+        };
+        let at = SurfacePoint::Vertex(vertex);
+        judged.push(JudgedPeak {
+            place: mesh.position(peak.vertex),
+            gaussian: peak.gaussian,
+            coverage: coverage(domain, &geodesics, &at, [maps.u, maps.v], slope)?,
+        });
+    }
+    let middle = |side: &crate::layout::Side| side.at(domain.mesh(), 0.5);
+    let across = geodesics.shortest(&middle(&domain.ab), &middle(&domain.dc))?;
+    let halfway = across.point_at(domain.mesh(), 0.5 * across.length);
     Ok(Feasibility {
         curvature_max: highest.0,
         peak: highest.1.position(mesh),
-        coverage: significant
-            .iter()
-            .filter_map(cover)
-            .collect::<Result<_, _>>()?,
-        peaks: significant
-            .iter()
-            .map(|&vertex| mesh.position(vertex))
-            .collect(),
+        peaks: judged,
+        longest: maps.u.longest().max(maps.v.longest()),
         diagonals: [
             geodesics.shortest(&a, &c)?.length,
             geodesics.shortest(&b, &d)?.length,
         ],
+        centre: halfway.position(domain.mesh()),
     })
 }
 
@@ -95,48 +121,4 @@ fn highest(
         .map(|&v| (curvature.vertex(v).gaussian(), SurfacePoint::Vertex(v)))
         .reduce(|best, next| if next.0 > best.0 { next } else { best })
         .unwrap_or(at_a)
-}
-
-/// Warnings about a clad patch, by the largest feasible η.
-pub fn judge(feasibility: &Feasibility, clad: &Clad, eta_max: f64) -> Vec<Diagnostic> {
-    let mut told = Vec::new();
-    for (covers, place) in feasibility.coverage.iter().zip(&feasibility.peaks) {
-        let exceed = |c: &Coverage| c.eta > eta_max;
-        if !covers.iter().any(exceed) {
-            continue;
-        }
-        let proposal = if covers.iter().all(exceed) {
-            "put a corner on the peak: both families pass beside it"
-        } else {
-            "split the patch so that a side runs over the peak"
-        };
-        told.push(
-            Diagnostic::warning(
-                codes::UNCOVERED,
-                format!(
-                    "members pass beside the peak of curvature at ({:.4}, {:.4}, {:.4}) m: η is \
-                     {:.4} for the u-family and {:.4} for the v-family, the limit {eta_max}",
-                    place.x, place.y, place.z, covers[0].eta, covers[1].eta
-                ),
-            )
-            .at_key(".", "this patch")
-            .help(proposal),
-        );
-    }
-    let [e, f] = feasibility.diagonals;
-    let [e_planar, f_planar] = clad.quad.diagonals();
-    if (e - e_planar) * (f - f_planar) >= 0.0 {
-        told.push(
-            Diagnostic::warning(
-                codes::DIAGONALS,
-                format!(
-                    "both diagonals change in the same direction: {e:.4} m to {e_planar:.4} m and \
-                     {f:.4} m to {f_planar:.4} m when flat"
-                ),
-            )
-            .at_key(".", "this patch")
-            .help("choose another `alpha`"),
-        );
-    }
-    told
 }

@@ -1,10 +1,31 @@
-//! Feasibility of patches: can shortest geodesics cover them, and how far from it are they?
+//! Feasibility of patches, and splitting of those that are not feasible.
 //!
-//! [`feasibility`] measures a patch by the surface alone (curvature, coverage of its peaks,
-//! diagonals), [`judge`] holds that against its flat state and the project's limits.
+//! | to | use |
+//! |---|---|
+//! | measure a patch by the surface alone: curvature, coverage of its peaks, diagonals | [`feasibility`], [`coverage`] |
+//! | hold that against the project's limits, in words | [`judge`] |
+//! | have all criteria in one record | [`check`] |
+//! | know where a patch can be split | [`Proposal`] |
 
+mod account;
+mod appraise;
+mod automatic;
+mod check;
 mod coverage;
+mod cut;
+mod draft;
 mod feasibility;
+mod informed;
+mod judge;
+mod merging;
+mod proposal;
+mod split;
 
+pub use check::{AngleCheck, DiagonalCheck, Findings, PatchCheck, PeakCheck, PerFamily, check};
 pub use coverage::{Coverage, coverage};
-pub use feasibility::{Feasibility, feasibility, judge};
+pub use cut::Refusal;
+pub use draft::{Draft, DraftPatch};
+pub use feasibility::{Feasibility, JudgedPeak, feasibility};
+pub use judge::{Criteria, judge};
+pub use proposal::Proposal;
+pub use split::{Cancelled, NoSplit, SplitLimits, Weaves, split};

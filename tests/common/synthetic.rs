@@ -3,9 +3,9 @@
 //! stages that compute them.
 
 use egg::plan::{
-    Cladding, CladdingFunction, CrossingRecord, Diagonals, Eta, LamellaRecord, MemberRecord,
-    OpeningRecord, PatchCurvature, PatchRecord, Plan, PointRecord, Positions, Range, SideRecord,
-    SurfaceRecord,
+    Cladding, CladdingFunction, CrossingRecord, Diagonals, EdgeRecord, Eta, LamellaRecord,
+    MemberRecord, OpeningRecord, PatchCurvature, PatchRecord, Plan, PointRecord, Positions, Range,
+    SideRecord, SurfaceRecord,
 };
 use egg::project::model::{
     Bolt, ColourPreset, Fabrication, Family, Grain, Hardware, Material, Shell, Sticker, Stock,
@@ -115,6 +115,7 @@ pub(crate) fn hardware(bolt: f64, shell: f64) -> Hardware {
             foil: "PTFE".to_owned(),
             thickness: 0.13e-3,
             margin: 2e-3,
+            sheet: [0.3, 0.2],
         }),
         shell: Some(Shell {
             name: format!("brass {shell}x0.45"),
@@ -191,11 +192,14 @@ pub(crate) fn plan(name: &str, patches: &[Patch], section: &Section) -> Plan {
         points: Vec::new(),
         edges: Vec::new(),
         patches: Vec::new(),
+        strips: Vec::new(),
         members: Vec::new(),
         crossings: Vec::new(),
         lamellae: Vec::new(),
         sheets: Vec::new(),
+        nesting: Vec::new(),
         stickers: Vec::new(),
+        foils: Vec::new(),
         supports: Vec::new(),
         bill_of_materials: Vec::new(),
         diagnostics: Vec::new(),
@@ -203,6 +207,8 @@ pub(crate) fn plan(name: &str, patches: &[Patch], section: &Section) -> Plan {
     for patch in patches {
         add_patch(&mut plan, patch, section);
     }
+    plan.points.sort_by(|a, b| a.id.cmp(&b.id));
+    plan.edges.sort_by(|a, b| a.id.cmp(&b.id));
     plan.members.sort_by(|a, b| a.id.cmp(&b.id));
     plan.crossings.sort_by(|a, b| a.id.cmp(&b.id));
     plan.lamellae.sort_by(|a, b| a.id.cmp(&b.id));
@@ -222,7 +228,8 @@ fn add_patch(plan: &mut Plan, patch: &Patch, section: &Section) {
     let space = corners_in_space(plan, patch);
     let u = lines(patch.u, patch.u_bias, [a, b], [d, c]);
     let v = lines(patch.v, patch.v_bias, [a, d], [b, c]);
-    plan.patches.push(patch_record(patch));
+    let sides = edges(plan, patch, &space);
+    plan.patches.push(patch_record(patch, sides));
     for (family, lines) in [(Family::U, &u), (Family::V, &v)] {
         for (i, line) in lines.iter().enumerate() {
             let steps = (0..=24).map(|k| {
@@ -378,10 +385,10 @@ fn lamella(plan: &Plan, member: &MemberRecord, section: &Section) -> LamellaReco
     }
 }
 
-fn patch_record(patch: &Patch) -> PatchRecord {
+fn patch_record(patch: &Patch, [ab, bc, cd, da]: [String; 4]) -> PatchRecord {
     let [a, b, c, d] = patch.planar;
-    let side = |from: [f64; 2], to: [f64; 2]| SideRecord {
-        edges: Vec::new(),
+    let side = |edge: String, from: [f64; 2], to: [f64; 2]| SideRecord {
+        edges: vec![edge],
         length: distance(from, to),
     };
     let function = |bias: [f64; 2]| {
@@ -400,7 +407,12 @@ fn patch_record(patch: &Patch) -> PatchRecord {
     PatchRecord {
         id: patch.name.to_owned(),
         corners: patch.corners.map(str::to_owned),
-        sides: [side(a, b), side(b, c), side(c, d), side(d, a)],
+        sides: [
+            side(ab, a, b),
+            side(bc, b, c),
+            side(cd, c, d),
+            side(da, d, a),
+        ],
         alpha_surface: 80.0,
         alpha_planar: libm::atan2(d[1], d[0]).to_degrees(),
         planar_corners: patch.planar,
@@ -445,9 +457,38 @@ fn corners_in_space(plan: &mut Plan, patch: &Patch) -> [[f64; 3]; 4] {
         plan.points.push(PointRecord {
             id: name.to_owned(),
             position,
-            normal: [0.0, 0.0, 1.0],
+            normal: outward([x, y]),
         });
         position
+    })
+}
+
+/// The normal of an arch over the middle of both patches.
+fn outward([x, y]: [f64; 2]) -> [f64; 3] {
+    let lean = [0.3 * (x - 1.0), 0.8 * (y - 0.5), 1.0];
+    let length = libm::sqrt(lean.iter().map(|v| v * v).sum());
+    lean.map(|v| v / length)
+}
+
+/// Adds the edges of a patch that the plan does not have; gives the ids of its sides.
+fn edges(plan: &mut Plan, patch: &Patch, space: &[[f64; 3]; 4]) -> [String; 4] {
+    std::array::from_fn(|i| {
+        let j = (i + 1) % 4;
+        let (mut from, mut to) = ((patch.corners[i], space[i]), (patch.corners[j], space[j]));
+        if from.0 > to.0 {
+            (from, to) = (to, from);
+        }
+        let id = format!("{}-{}", from.0, to.0);
+        if plan.edges.iter().all(|edge| edge.id != id) {
+            plan.edges.push(EdgeRecord {
+                id: id.clone(),
+                from: from.0.to_owned(),
+                to: to.0.to_owned(),
+                length: distance(patch.planar[i], patch.planar[j]),
+                polyline: vec![from.1, to.1],
+            });
+        }
+        id
     })
 }
 

@@ -2,6 +2,7 @@
 
 use std::fs;
 use std::path::{Path, PathBuf};
+use std::sync::{Mutex, PoisonError};
 
 /// A file of the checkout.
 pub(crate) fn path(name: &str) -> PathBuf {
@@ -23,6 +24,9 @@ pub(crate) fn whole(name: &str, wanted: &str) {
 
 /// Holds that the part of a document between `<!-- BLOCK -->` and `<!-- end -->` is `wanted`.
 pub(crate) fn block(name: &str, block: &str, wanted: &str) {
+    // Tests run side by side, and several blocks of one page may be written.
+    static ONE_AT_A_TIME: Mutex<()> = Mutex::new(());
+    let _turn = ONE_AT_A_TIME.lock().unwrap_or_else(PoisonError::into_inner);
     let text = read(name);
     let mark = format!("<!-- {block} -->\n");
     let start = text

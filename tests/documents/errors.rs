@@ -13,7 +13,7 @@ const ROOMS: [(&str, &str); 9] = [
     ("05", "Cladding"),
     ("06", "Members and grid"),
     ("07", "Fabrication"),
-    ("08", "Build and cache"),
+    ("08", "Build, cache, revisions and differences"),
     ("09", "Plan, export, files"),
 ];
 

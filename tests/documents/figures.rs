@@ -1,27 +1,27 @@
 //! The figures of a plan as a table.
 
-use egg::plan::{MemberRecord, OpeningRecord, PatchRecord, Plan, SheetRecord};
+use egg::fabrication::summary::Summary;
+use egg::plan::{MemberRecord, NestingRecord, OpeningRecord, PatchRecord, Plan, SheetRecord};
 use std::fmt::Write;
 
 /// A table of two columns for a project's README.
 pub(crate) fn table(plan: &Plan) -> String {
     let mut rows = Vec::new();
     surface(plan, &mut rows);
-    for patch in &plan.patches {
-        let prefix = match plan.patches.len() {
-            1 => String::new(),
-            _ => format!("`{}`: ", patch.id),
-        };
-        for (name, value) in figures(plan, patch) {
-            rows.push((format!("{prefix}{name}"), value));
-        }
+    if let [patch] = &plan.patches[..] {
+        rows.extend(figures(plan, patch));
     }
     parts(plan, &mut rows);
+    evenness(plan, &mut rows);
     let mut text = String::from("| | |\n|---|---|\n");
     for (name, value) in rows {
         let _ = writeln!(text, "| {name} | {value} |");
     }
     text.push('\n');
+    if plan.patches.len() > 1 {
+        text.push_str(&checks(plan));
+        text.push('\n');
+    }
     text.push_str(&remarks(plan));
     text
 }
@@ -144,6 +144,71 @@ fn figures(plan: &Plan, patch: &PatchRecord) -> Vec<Row> {
     ]
 }
 
+/// The checks of several patches, a row a patch. Angles are those at the first corner.
+fn checks(plan: &Plan) -> String {
+    let mut text = String::from(
+        "| patch | sides, m | angle on the surface, flat | slopes u | slopes v | eta u, v \
+         | longest, unique below, m | members | feasible |\n|---|---|---|---|---|---|---|---|---|\n",
+    );
+    for patch in &plan.patches {
+        let sides: Vec<String> = patch.sides.iter().map(|s| short(s.length)).collect();
+        let (u, v) = (&patch.cladding.u, &patch.cladding.v);
+        let own = |family: &str| {
+            let prefix = format!("{}.{family}", patch.id);
+            let ids = plan.members.iter().map(|member| &member.id);
+            ids.filter(|id| id.starts_with(&prefix)).count()
+        };
+        let curvature = &patch.curvature;
+        let unique = curvature.injectivity_bound.map_or("all".to_owned(), short);
+        let _ = writeln!(
+            text,
+            "| `{}` | {} | {:.1}°, {:.1}° | {:.2} to {:.2} | {:.2} to {:.2} | {:.4}, {:.4} | {}, {} \
+             | {} x {} | {} |",
+            patch.id,
+            sides.join(", "),
+            patch.alpha_surface,
+            patch.alpha_planar,
+            u.slope_min,
+            u.slope_max,
+            v.slope_min,
+            v.slope_max,
+            patch.eta.u,
+            patch.eta.v,
+            short(curvature.longest_geodesic),
+            unique,
+            own("u"),
+            own("v"),
+            if patch.feasible { "yes" } else { "no" },
+        );
+    }
+    text
+}
+
+/// What the distribution over all sides gained against even members on the first side alone.
+fn evenness(plan: &Plan, rows: &mut Vec<Row>) {
+    let gained = |strip: &egg::plan::StripRecord| {
+        let percent = 1e2 * (strip.evenness_gained - 1.0);
+        format!("{percent:.1} % ({})", strip.families.join(", "))
+    };
+    let strips: Vec<String> = plan.strips.iter().map(gained).collect();
+    let shown = match strips.len() {
+        0..=4 => strips.join("; "),
+        _ => {
+            let all = plan.strips.iter().map(|strip| strip.evenness_gained);
+            let (low, high) = (
+                all.clone().fold(f64::INFINITY, f64::min),
+                all.fold(1.0, f64::max),
+            );
+            let [low, high] = [low, high].map(|gained| 1e2 * (gained - 1.0));
+            format!("{low:.1} to {high:.1} % in {} strips", strips.len())
+        }
+    };
+    rows.push((
+        "evenness gained against even spacing on the first side".into(),
+        shown,
+    ));
+}
+
 fn parts(plan: &Plan, rows: &mut Vec<Row>) {
     let slides: Vec<f64> = plan
         .lamellae
@@ -171,17 +236,60 @@ fn parts(plan: &Plan, rows: &mut Vec<Row>) {
         rows.push((
             "lamellae".into(),
             format!(
-                "{} of {} x {} mm {}, {length:.2} m in all, {:.0} g without hardware",
+                "{} of {} x {} mm {}, {length:.2} m in all, {} without hardware",
                 plan.lamellae.len(),
                 short(1e3 * first.width),
                 short(1e3 * first.thickness),
                 first.material,
-                1e3 * mass
+                weight(mass)
             ),
         ));
     }
+    let summary = Summary::new(plan);
+    rows.push((
+        "grid with its hardware".into(),
+        format!(
+            "{:.0} g, {:.2} kg/m² of the rectangle around it",
+            1e3 * summary.grid_mass(),
+            summary.per_rectangle()
+        ),
+    ));
+    if !plan.stickers.is_empty() {
+        rows.push((
+            "stickers".into(),
+            format!(
+                "{} on {} sheets of foil",
+                plan.stickers.len(),
+                plan.foils.len()
+            ),
+        ));
+    }
+    let tilts = plan.supports.iter().map(|support| support.tilt);
+    rows.push((
+        "supports".into(),
+        format!(
+            "{}, {:.1} kg in all, contact faces of up to {:.1}°",
+            plan.supports.len(),
+            summary.support_mass,
+            tilts.fold(0.0, f64::max)
+        ),
+    ));
     let sheets: Vec<String> = plan.sheets.iter().map(sheet).collect();
-    rows.push(("sheets".into(), sheets.join("; ")));
+    let told: Vec<String> = match sheets.len() {
+        0..=4 => sheets,
+        count => {
+            let used = plan
+                .sheets
+                .iter()
+                .map(|sheet| sheet.yield_share)
+                .sum::<f64>();
+            let used = 1e2 * used / count as f64;
+            vec![format!("{count}, {used:.0} % used on average")]
+        }
+    };
+    rows.push(("sheets".into(), told.join("; ")));
+    let nesting: Vec<String> = plan.nesting.iter().map(nesting).collect();
+    rows.push(("nesting".into(), nesting.join("; ")));
 }
 
 fn sheet(sheet: &SheetRecord) -> String {
@@ -191,6 +299,17 @@ fn sheet(sheet: &SheetRecord) -> String {
         short(1e3 * sheet.width),
         sheet.parts.len(),
         1e2 * sheet.yield_share
+    )
+}
+
+fn nesting(group: &NestingRecord) -> String {
+    let plural = if group.sheets == 1 { "" } else { "s" };
+    format!(
+        "{} sheet{plural}, {} at least; {:.1} % yield, {:.1} % at most",
+        group.sheets,
+        group.sheets_bound,
+        1e2 * group.yield_share,
+        1e2 * group.yield_bound
     )
 }
 
@@ -235,6 +354,15 @@ fn extent(points: impl Iterator<Item = [f64; 3]>) -> [f64; 3] {
         }
     }
     std::array::from_fn(|k| high[k] - low[k])
+}
+
+/// Grams up to ten kilograms, then kilograms, then tonnes.
+fn weight(kilograms: f64) -> String {
+    match kilograms {
+        small if small < 10.0 => format!("{:.0} g", 1e3 * small),
+        middle if middle < 1e4 => format!("{middle:.0} kg"),
+        large => format!("{:.0} t", 1e-3 * large),
+    }
 }
 
 /// Three digits that matter, as people write them.

@@ -13,8 +13,10 @@ type Vector3 = nalgebra::Vector3<f64>;
 /// Width of the picture.
 const WIDTH: f64 = 800.0;
 const MARGIN: f64 = 20.0;
-/// Pieces that a lamella is drawn in, in space.
-const PIECES: usize = 24;
+/// Pieces that all lamellae together are drawn in, in space, and the fewest and the most of one.
+const PIECES: usize = 2400;
+const FEWEST: usize = 8;
+const MOST: usize = 24;
 /// Where the viewer stands, degrees: from the front (negative y) to the right, and up.
 const AZIMUTH: f64 = -28.0;
 const ELEVATION: f64 = 32.0;
@@ -150,10 +152,40 @@ fn wood(family: Family, light: f64) -> String {
     format!("#{r:02x}{g:02x}{b:02x}")
 }
 
-/// The flat state, patch for patch, its long diagonal level.
+/// The flat state, patch for patch in rows.
 fn flat(plan: &Plan) -> Vec<Shape> {
+    let columns = match plan.patches.len() {
+        0..=2 => 1,
+        3..=8 => 2,
+        _ => 3,
+    };
+    let mut cells: Vec<(Frame, Vec<Shape>)> = flat_patches(plan)
+        .into_iter()
+        .map(|drawn| (Frame::around(&drawn), drawn))
+        .collect();
+    let widest = cells.iter().map(|(frame, _)| frame.size().x);
+    let pitch = 1.05 * widest.fold(0.0, f64::max);
     let mut shapes = Vec::new();
     let mut below = 0.0;
+    for row in cells.chunks_mut(columns) {
+        for (column, (frame, drawn)) in row.iter_mut().enumerate() {
+            let centre = pitch * (column as f64 - 0.5 * (columns as f64 - 1.0));
+            let middle = 0.5 * (frame.low.x + frame.high.x);
+            let shift = Vector2::new(centre - middle, below - frame.high.y);
+            for point in drawn.iter_mut().flat_map(|shape| &mut shape.outline) {
+                *point += shift;
+            }
+            shapes.append(drawn);
+        }
+        let tallest = row.iter().map(|(frame, _)| frame.size().y);
+        below -= 1.05 * tallest.fold(0.0, f64::max);
+    }
+    shapes
+}
+
+/// Each patch when flat, its long diagonal level.
+fn flat_patches(plan: &Plan) -> Vec<Vec<Shape>> {
+    let mut patches = Vec::new();
     for patch in &plan.patches {
         let [a, b, c, d] = patch.planar_corners.map(Point2::from);
         let long = if (c - a).norm() > (d - b).norm() {
@@ -196,17 +228,9 @@ fn flat(plan: &Plan) -> Vec<Shape> {
                 }
             }
         }
-        let frame = Frame::around(&drawn);
-        let shift = Vector2::new(-0.5 * (frame.low.x + frame.high.x), below - frame.high.y);
-        for shape in &mut drawn {
-            for point in &mut shape.outline {
-                *point += shift;
-            }
-        }
-        below -= 1.05 * frame.size().y;
-        shapes.append(&mut drawn);
+        patches.push(drawn);
     }
-    shapes
+    patches
 }
 
 /// The outline of a lamella: ends are half circles, a margin beyond the ends of its member.
@@ -366,9 +390,10 @@ fn ribbon(plan: &Plan, member: &MemberRecord, lamella: &LamellaRecord) -> Vec<Se
         (from.1 * (1.0 - t) + to.1 * t).normalize()
     };
     let margin = lamella.end_margin;
-    (0..=PIECES)
+    let pieces = (PIECES / plan.members.len()).clamp(FEWEST, MOST);
+    (0..=pieces)
         .map(|i| {
-            let s = -margin + (length + 2.0 * margin) * i as f64 / PIECES as f64;
+            let s = -margin + (length + 2.0 * margin) * i as f64 / pieces as f64;
             let step = 0.01 * length;
             let inside = s.clamp(step, length - step);
             let tangent = (at(inside + step) - at(inside - step)).normalize();

@@ -4,7 +4,7 @@ use crate::current;
 use crate::figures;
 use crate::picture;
 use egg::build::graph::{Design, Extent, declare};
-use egg::build::{CancelToken, Engine, Graph, Request, Settings};
+use egg::build::{CancelToken, Engine, Request, Settings};
 use egg::plan::{Plan, from_ron};
 use egg::project::{Notation, load};
 use std::fs;
@@ -36,7 +36,7 @@ fn build(name: &str) -> Built {
     };
     let built = engine.build(
         &Request::default(),
-        &|graph: &mut Graph<'_>| declare(graph, design, Extent::Files),
+        &|graph| declare(graph, design, Extent::Files),
         &CancelToken::default(),
         &mut |_| {},
     );
@@ -91,7 +91,59 @@ fn the_saddle_shows_its_figures() {
 
 #[test]
 fn the_sphere_cap_shows_its_figures() {
-    shown("sphere-cap");
+    let built = shown("sphere-cap");
+    let picture = "docs/pictures/setting-out.svg";
+    copied(&built, "supports/setting-out.svg", picture);
+}
+
+#[test]
+fn the_pavilion_shows_its_figures() {
+    let built = shown("pavilion");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/pavilion/patches.svg",
+    );
+}
+
+#[test]
+fn the_prototype_shows_its_figures() {
+    shown("prototype");
+}
+
+#[test]
+fn the_peak_shows_its_figures() {
+    shown("peak");
+}
+
+#[test]
+fn the_great_court_shows_its_figures() {
+    let built = shown("great-court");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/great-court/patches.svg",
+    );
+}
+
+#[test]
+fn the_lilium_tower_shows_its_figures() {
+    let built = shown("lilium-tower");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/lilium-tower/patches.svg",
+    );
+}
+
+#[test]
+fn the_yas_hotel_shows_its_figures() {
+    let built = shown("yas-hotel");
+    copied(
+        &built,
+        "layout/patches.svg",
+        "projects/yas-hotel/patches.svg",
+    );
 }
 
 #[test]

@@ -6,7 +6,7 @@ use std::fs;
 use std::path::PathBuf;
 
 /// Rooms in the order of the data. `build` and `cli` come last: they know everything before them.
-const ROOMS: [&str; 13] = [
+const ROOMS: [&str; 14] = [
     "diagnostics",
     "project",
     "surface",
@@ -18,6 +18,7 @@ const ROOMS: [&str; 13] = [
     "grid",
     "plan",
     "fabrication",
+    "diff",
     "build",
     "cli",
 ];

@@ -1,10 +1,10 @@
 //! Builds of the projects: they succeed, and always write the same.
 
-use crate::conditions;
 use crate::program::{Workshop, files};
-use crate::{PROJECTS, root};
+use crate::{PROJECTS, STRUCTURES, root};
+use crate::{conditions, evenness};
 use egg::plan::{Plan, from_ron, to_json, to_ron};
-use egg::project::model::Project;
+use egg::project::model::{Family, Project};
 use egg::project::{Notation, load};
 use std::collections::BTreeMap;
 use std::fs;
@@ -29,8 +29,15 @@ fn build(shop: &Workshop, project: &Path, [cache, out, jobs]: [&str; 3], finishe
         ])
         .expect(0);
     assert_eq!(ran.out, "");
-    assert_eq!(ran.err.lines().count(), 1, "{}", ran.err);
-    assert!(ran.err.trim_start().starts_with("Finished "), "{}", ran.err);
+    let lines: Vec<&str> = ran.err.lines().map(str::trim_start).collect();
+    let (last, nested) = lines.split_last().expect("a summary");
+    let is_nested = |line: &&str| line.starts_with("Nested ");
+    assert!(
+        !nested.is_empty() && nested.iter().all(is_nested),
+        "{}",
+        ran.err
+    );
+    assert!(last.starts_with("Finished "), "{}", ran.err);
     assert!(ran.err.contains(finished), "{}", ran.err);
     let mut found = files(&shop.path(out));
     assert!(found.remove(".egg-manifest").is_some());
@@ -92,17 +99,97 @@ fn prove(name: &str) {
     let exported = with(&["export", "--format", "ron"]);
     assert!(exported.out.as_bytes() == first["plan.ron"].as_slice());
     let checked = with(&["check"]);
-    assert_eq!(checked.out, "");
+    // A head, a row a patch, the limits.
+    assert_eq!(checked.out.lines().count(), plan.patches.len() + 2);
+    for patch in &plan.patches {
+        let row = checked
+            .out
+            .lines()
+            .find(|row| row.split_whitespace().next() == Some(&patch.id));
+        assert!(
+            row.is_some_and(|row| row.ends_with("feasible")),
+            "{}",
+            checked.out
+        );
+    }
     assert_eq!(checked.err, format!("     Checked {}\n", plan.name));
 
-    let model = model(&project);
+    holds(&plan, &model(&project));
+}
+
+/// What every finished plan keeps.
+fn holds(plan: &Plan, model: &Project) {
     assert_eq!(plan.diagnostics, []);
     assert_eq!(plan.patches.len(), model.patches.len());
     assert!(plan.patches.iter().all(|patch| patch.feasible));
     let bolt = model.hardware.bolt.diameter;
-    let slider = model.hardware.shell.map_or(bolt, |shell| shell.diameter);
+    let shell = model.hardware.shell.as_ref();
+    let slider = shell.map_or(bolt, |shell| shell.diameter);
     let play = model.fabrication.clearance;
-    conditions::hold(&plan, model.split.slope, bolt + play, slider + play);
+    conditions::hold(plan, model.split.slope, bolt + play, slider + play);
+    let eta_max = model.split.eta_max;
+    let etas = plan.patches.iter().map(|patch| patch.eta);
+    assert!(etas.clone().all(|eta| eta.u.max(eta.v) <= eta_max));
+}
+
+/// The conditions alone: structures are large, and what a build promises beside is shown by the
+/// small ones.
+fn plan_holds(name: &str) -> Plan {
+    let project = root(name);
+    let shop = Workshop::new();
+    let built = build(&shop, &project, ["cache", "out", "2"], " 0 cached");
+    let plan = plan_of(&built);
+    holds(&plan, &model(&project));
+    let gained = plan.strips.iter().map(|strip| strip.evenness_gained);
+    assert!(gained.clone().all(|gained| gained >= 1.0 - 1e-9));
+    plan
+}
+
+#[test]
+fn the_pavilion_keeps_the_conditions_of_a_plan() {
+    let plan = plan_holds(STRUCTURES[0]);
+    let common = plan.strips.iter().find(|strip| strip.id == "east.v");
+    assert_eq!(common.expect("a strip").families, ["east.v", "west.v"]);
+    evenness::is_stationary(&plan, ["west", "east"], Family::V);
+}
+
+#[test]
+fn the_prototype_keeps_the_conditions_of_a_plan() {
+    plan_holds(STRUCTURES[1]);
+}
+
+#[test]
+fn the_great_court_keeps_the_conditions_of_a_plan() {
+    let plan = plan_holds(STRUCTURES[2]);
+    let around = plan.strips.iter().find(|strip| strip.families.len() > 1);
+    let families = ["east.u", "north.u", "south.u", "west.u"];
+    assert_eq!(around.expect("a strip").families, families);
+}
+
+#[test]
+fn the_lilium_tower_keeps_the_conditions_of_a_plan() {
+    let plan = plan_holds(STRUCTURES[3]);
+    assert_eq!((plan.patches.len(), plan.strips.len()), (16, 8));
+}
+
+#[test]
+fn the_yas_hotel_keeps_the_conditions_of_a_plan() {
+    let plan = plan_holds(STRUCTURES[4]);
+    assert_eq!((plan.patches.len(), plan.strips.len()), (16, 8));
+}
+
+#[test]
+fn a_ring_of_mirror_images_closes() {
+    let plan = plan_holds(STRUCTURES[5]);
+    let rings: Vec<_> = plan
+        .strips
+        .iter()
+        .filter_map(|strip| strip.ring.as_ref())
+        .collect();
+    let [ring] = rings[..] else {
+        panic!("{rings:?}")
+    };
+    assert!(ring.closed && ring.drift < 1e-6, "{ring:?}");
 }
 
 /// How many stages a build has.
@@ -155,7 +242,7 @@ fn a_build_after_an_edit_writes_what_a_clean_build_writes() {
     for (i, (from, to)) in [
         ("bolt = \"M3\"", "bolt = \"M3\"\nshell = \"brass 4x0.45\""),
         ("length = 1000", "length = 990"),
-        ("width = 10", "width = 9"),
+        ("width = 10", "width = 11"),
         ("slope = [", "eta_max = 1.01\nslope = ["),
     ]
     .into_iter()

@@ -3,6 +3,7 @@
 
 mod builds;
 mod conditions;
+mod evenness;
 mod geometry;
 #[path = "../common/program.rs"]
 mod program;
@@ -18,6 +19,16 @@ const PROJECTS: [&str; 4] = [
     "projects/saddle/saddle.toml",
     "projects/sphere-cap/sphere-cap.toml",
     "tests/corpus/designs/junction.toml",
+];
+
+/// Structures of several patches: all shapes of networks.
+const STRUCTURES: [&str; 6] = [
+    "projects/pavilion/pavilion.toml",
+    "projects/prototype/prototype.toml",
+    "projects/great-court/great-court.toml",
+    "projects/lilium-tower/lilium-tower.toml",
+    "projects/yas-hotel/yas-hotel.toml",
+    "tests/corpus/designs/ring-closed.toml",
 ];
 
 /// A file of the repository.

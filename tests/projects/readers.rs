@@ -2,7 +2,7 @@
 
 use crate::program::Workshop;
 use crate::python;
-use crate::{PROJECTS, root};
+use crate::{PROJECTS, STRUCTURES, root};
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -58,7 +58,12 @@ fn another_exact_solver_confirms_the_plan_of_the_sphere_cap() {
 
 #[test]
 fn another_exact_solver_confirms_the_plan_of_patches_that_share_sides() {
-    assert_eq!(recomputed(PROJECTS[3]), "3 0 0 0 0");
+    assert_eq!(recomputed(PROJECTS[3]), "3 37 114 37 32");
+}
+
+#[test]
+fn another_exact_solver_confirms_the_plan_of_the_pavilion() {
+    assert_eq!(recomputed(STRUCTURES[0]), "2 36 160 36 20");
 }
 
 #[test]
@@ -79,7 +84,15 @@ fn readers_of_drawings_find_the_openings_of_the_plan_in_the_files_of_the_project
         found.push(format!("{} / {}", cut.trim(), drawn.trim()));
     }
     // Parts, notches, round holes / drawings that were compared, pictures that were rendered.
-    assert_eq!(found, ["", "", "", ""]);
+    assert_eq!(
+        found,
+        [
+            "20 126 72 / 4 7",
+            "22 162 80 / 4 7",
+            "18 98 64 / 25 28",
+            "37 101 127 / 6 11",
+        ]
+    );
 }
 
 #[test]

@@ -198,9 +198,10 @@ def check_cladding(patch, lines, surface):
             exact = surface.distances(source, [target])[0]
             # Functions are traced on interpolated distances; only members are exact. Distances on
             # a polyhedron are smooth but for the angles at its edges, which pass on a hundredth
-            # of the square of an edge in a member.
+            # of the square of an edge in a member. A spline through 17 distances itself errs by
+            # 2e-5 of the side on a dome of a quarter of its width, which the pavilion resembles.
             edge = surface.mean_edge / planar
-            close(f"sample of {patch['id']}", exact / planar, 1, 0.01 * edge**2)
+            close(f"sample of {patch['id']}", exact / planar, 1, 0.01 * edge**2 + 2e-5)
 
 
 def check_crossings(plan, patch):

@@ -59,6 +59,7 @@ impl Session<'_, '_> {
             needs: entry.needs.iter().map(|&need| name(need)).collect(),
             publishes: declared.publishes,
             key: entry.key,
+            result: entry.head.as_ref().and_then(|head| head.digest()),
             estimate: entry.estimate,
         }
     }
@@ -80,6 +81,7 @@ impl Session<'_, '_> {
                 needs: Vec::new(),
                 publishes: false,
                 key: None,
+                result: None,
                 estimate: Some(record.head.duration()),
             })
             .collect()

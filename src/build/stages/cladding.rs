@@ -1,24 +1,24 @@
 //! Distance maps, the plan of a patch, and how far it is feasible.
 
 use super::{judged, plain};
-use crate::build::{Failure, Node, Numerics, Stage};
+use crate::build::{Attempt, Failure, Node, Numerics, Stage};
 use crate::cladding::{
-    AngleChoice, Clad, Demands, DistanceTable, Maps, SAMPLES, choose_angle, clad, distance_table,
-    explain,
+    AngleChoice, Clad, Demands, DistanceTable, Infeasible, Maps, SAMPLES, choose_angle, clad,
+    distance_table, explain,
 };
 use crate::diagnostics::codes::cladding as codes;
 use crate::diagnostics::{Code, Diagnostic};
 use crate::geodesic::GeodesicError;
 use crate::layout::{Domain, SideLengths};
 use crate::project::model::Family;
-use crate::splitting::{Feasibility, feasibility, judge};
+use crate::splitting::{Criteria, Feasibility, Findings, PatchCheck, check, feasibility, judge};
 use crate::surface::{Curvature, SurfaceMesh};
 use serde::Serialize;
 
 /// The distance map of a family.
 pub(in crate::build) const DISTANCES: Stage<Family, Node<Domain>, DistanceTable> = Stage {
     name: "distances",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |family, domain, _| {
         let (table, unproved) =
@@ -58,14 +58,20 @@ pub(in crate::build) struct CladdingInput {
     pub(in crate::build) width: f64,
 }
 
-/// The plan of a patch with its cladding functions.
-pub(in crate::build) const CLADDING: Stage<
-    CladdingInput,
-    (Node<SideLengths>, Node<DistanceTable>, Node<DistanceTable>),
-    Clad,
-> = Stage {
-    name: "cladding",
-    version: 2,
+type Tables = (Node<SideLengths>, Node<DistanceTable>, Node<DistanceTable>);
+
+/// Demands on a plan whatever its angle.
+#[derive(Debug, Clone, Serialize)]
+pub(in crate::build) struct AnglesInput {
+    pub(in crate::build) slope: [f64; 2],
+    pub(in crate::build) members: [u32; 2],
+    pub(in crate::build) width: f64,
+}
+
+/// The feasible angles of a patch and the plan of the best one.
+pub(in crate::build) const ANGLES: Stage<AnglesInput, Tables, AngleChoice> = Stage {
+    name: "angles",
+    version: 1,
     numerics: Numerics::Portable,
     run: |input, (sides, u, v), _| {
         let maps = Maps {
@@ -78,64 +84,122 @@ pub(in crate::build) const CLADDING: Stage<
             members: input.members,
             width: input.width,
         };
-        let refused =
-            |choice: &AngleChoice, why, given| Err(Failure::from(explain(choice, &why, given)));
-        match input.alpha {
-            None => {
-                let choice = choose_angle(&maps, &demands);
-                match choice.taken.clone() {
-                    Ok(clad) => plain(clad),
-                    Err(why) => refused(&choice, why, false),
-                }
-            }
-            Some(alpha) => match clad(&maps, &demands, alpha) {
-                Ok(clad) => plain(clad),
-                Err(obstacle) => {
-                    let choice = choose_angle(&maps, &demands);
-                    refused(
-                        &choice,
-                        crate::cladding::Infeasible { alpha, obstacle },
-                        true,
-                    )
-                }
-            },
-        }
+        plain(choose_angle(&maps, &demands))
     },
 };
 
-/// Limits of feasibility.
+/// The plan of a patch with its cladding functions.
+pub(in crate::build) const CLADDING: Stage<CladdingInput, (Tables, Node<AngleChoice>), Clad> =
+    Stage {
+        name: "cladding",
+        version: 3,
+        numerics: Numerics::Portable,
+        run: |input, ((sides, u, v), choice), _| {
+            let refused = |why, given| Err(Failure::from(explain(choice, &why, given)));
+            let Some(alpha) = input.alpha else {
+                return match &choice.taken {
+                    Ok(clad) => plain(clad.clone()),
+                    Err(why) => refused(*why, false),
+                };
+            };
+            let maps = Maps {
+                sides: *sides,
+                u,
+                v,
+            };
+            let demands = Demands {
+                slope: input.slope,
+                members: input.members,
+                width: input.width,
+            };
+            match clad(&maps, &demands, alpha) {
+                Ok(clad) => plain(clad),
+                Err(obstacle) => refused(Infeasible { alpha, obstacle }, true),
+            }
+        },
+    };
+
+type Measured = (
+    Node<SurfaceMesh>,
+    Node<Curvature>,
+    Node<Domain>,
+    Node<DistanceTable>,
+    Node<DistanceTable>,
+);
+
+/// Between which places of opposite sides members may run.
 #[derive(Debug, Serialize)]
 pub(in crate::build) struct FeasibilityInput {
-    pub(in crate::build) eta_max: f64,
+    pub(in crate::build) slope: [f64; 2],
 }
 
 /// Curvature, coverage of peaks and diagonals of a patch.
-pub(in crate::build) const FEASIBILITY: Stage<
-    (),
-    (Node<SurfaceMesh>, Node<Curvature>, Node<Domain>),
-    Feasibility,
-> = Stage {
+pub(in crate::build) const FEASIBILITY: Stage<FeasibilityInput, Measured, Feasibility> = Stage {
     name: "feasibility",
-    version: 1,
+    version: 3,
     numerics: Numerics::Portable,
-    run: |(), (surface, curvature, domain), _| {
-        plain(feasibility(&surface.mesh, curvature, domain).map_err(|e| no_geodesic(&e))?)
+    run: |input, (surface, curvature, domain, u, v), _| {
+        let maps = Maps {
+            sides: domain.lengths(),
+            u,
+            v,
+        };
+        let measured = feasibility(&surface.mesh, curvature, domain, &maps, input.slope);
+        plain(measured.map_err(|e| no_geodesic(&e))?)
     },
 };
 
-/// Judges a patch by its feasibility and its plan.
+/// Judges a patch by its feasibility and its plan, if it has one.
 pub(in crate::build) const JUDGEMENT: Stage<
-    FeasibilityInput,
-    (Node<Feasibility>, Node<Clad>),
+    Criteria,
+    (Node<Feasibility>, Node<AngleChoice>, Attempt<Clad>),
     bool,
 > = Stage {
     name: "judgement",
+    version: 2,
+    numerics: Numerics::Portable,
+    run: |criteria, (feasibility, angles, clad), _| {
+        let found = judge(feasibility, angles, clad, criteria);
+        judged(found.is_empty() && clad.is_some(), found)
+    },
+};
+
+/// What a patch is held against in the table of `egg check`.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct CheckInput {
+    pub(in crate::build) criteria: Criteria,
+    pub(in crate::build) members: [u32; 2],
+}
+
+type Checked = (
+    Attempt<Domain>,
+    Attempt<Feasibility>,
+    Attempt<AngleChoice>,
+    Attempt<Clad>,
+);
+
+/// All criteria of a patch, as far as it could be measured.
+pub(in crate::build) const CHECK: Stage<CheckInput, Checked, PatchCheck> = Stage {
+    name: "check",
     version: 1,
     numerics: Numerics::Portable,
-    run: |input, (feasibility, clad), _| {
-        let found = judge(feasibility, clad, input.eta_max);
-        judged(found.is_empty(), found)
+    run: |input, (domain, feasibility, angles, clad), _| {
+        let findings = Findings {
+            domain,
+            feasibility,
+            angles,
+            clad,
+        };
+        plain(check(&findings, &input.criteria, input.members))
     },
+};
+
+/// The criteria of all patches.
+pub(in crate::build) const CHECKS: Stage<(), Vec<Node<PatchCheck>>, Vec<PatchCheck>> = Stage {
+    name: "checks",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |(), checks, _| plain(checks.into_iter().cloned().collect()),
 };
 
 /// A geodesic failed inside the patch of a stage, whose sides were found: the mesh is at fault.

@@ -12,7 +12,10 @@ use crate::grid::{
 use crate::layout::Domain;
 use crate::members::schedule::{Schedule, schedule};
 use crate::members::threads::{End, LinePiece, Passage, ThreadFault};
-use crate::members::{Given, Ground, Member, RefineError, WeaveError, crossing_label, weave};
+use crate::members::{
+    Drift, Given, Ground, Member, RefineError, WeaveError, Woven, crossing_label, weave,
+};
+use crate::plan::{Plan, StripNames, strip_chapter};
 use crate::project::model::Family;
 use serde::Serialize;
 
@@ -20,6 +23,8 @@ use serde::Serialize;
 #[derive(Debug, Clone, Serialize)]
 pub(in crate::build) struct StripInput {
     pub(in crate::build) passages: Vec<PassageInput>,
+    /// Whether the members of a ring shall end where they began.
+    pub(in crate::build) closed: bool,
 }
 
 /// One family of one patch.
@@ -36,7 +41,7 @@ pub(in crate::build) struct PassageInput {
 /// Where the members of a strip begin and through which patches they run.
 pub(in crate::build) const SCHEDULE: Stage<StripInput, Vec<Node<Clad>>, Schedule> = Stage {
     name: "schedule",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, clads, _| {
         let passages: Vec<Passage<'_>> = input
@@ -89,9 +94,9 @@ fn no_schedule(fault: &ThreadFault) -> Failure {
 type StripNeeds = (Vec<Node<Domain>>, Vec<Node<Clad>>, Node<Schedule>);
 
 /// Exact members of all families of a strip.
-pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Vec<Vec<Member>>> = Stage {
+pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Woven> = Stage {
     name: "strip",
-    version: 1,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (domains, clads, schedule), _| {
         let grounds: Vec<Ground<'_>> = input
@@ -106,9 +111,36 @@ pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Vec<Vec<Member>>
                 end: passage.end,
             })
             .collect();
-        plain(weave(&grounds, schedule).map_err(|error| no_member(&error))?)
+        let woven = weave(&grounds, schedule).map_err(|error| no_member(&error))?;
+        let open = woven.drift.filter(|drift| drift.share > CLOSES);
+        let told = open.map(|drift| open_ring(&drift, input.closed));
+        judged(woven, told.into_iter().collect())
     },
 };
+
+/// A ring closes where its members come back this exactly, in shares of the side.
+const CLOSES: f64 = 1e-6;
+
+fn open_ring(drift: &Drift, closed: bool) -> Diagnostic {
+    let by = format!(
+        "members of the ring end up to {:.2} mm beside where they began ({:.4} % of the side)",
+        1e3 * drift.metres,
+        1e2 * drift.share
+    );
+    let told = if closed {
+        Diagnostic::error(codes::CANNOT_CLOSE, by)
+    } else {
+        Diagnostic::warning(codes::OPEN_RING, by)
+    };
+    told.at_key(
+        format!(".passages[{}]", drift.passage),
+        "around from this patch",
+    )
+    .help(
+        "let neighbouring patches be mirror images of each other, with `alpha` given, or open \
+             the ring where it does not show",
+    )
+}
 
 fn no_member(error: &WeaveError) -> Failure {
     let patch = format!(".passages[{}]", error.passage);
@@ -140,13 +172,38 @@ fn no_member(error: &WeaveError) -> Failure {
 }
 
 /// Members of one family of one patch, out of its strip.
-pub(in crate::build) const MEMBERS: Stage<u32, Node<Vec<Vec<Member>>>, Vec<Member>> = Stage {
+pub(in crate::build) const MEMBERS: Stage<u32, Node<Woven>, Vec<Member>> = Stage {
     name: "members",
     version: 1,
     numerics: Numerics::Portable,
-    run: |passage, strip, _| match strip.get(*passage as usize) {
+    run: |passage, strip, _| match strip.members.get(*passage as usize) {
         Some(members) => plain(members.clone()),
         None => Err(Failure::Errors(Vec::new())),
+    },
+};
+
+/// What the families of a strip are called.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct StripChapterInput {
+    pub(in crate::build) families: Vec<String>,
+    pub(in crate::build) closed: bool,
+}
+
+/// The record of a strip.
+pub(in crate::build) const STRIP_CHAPTER: Stage<
+    StripChapterInput,
+    (Node<Schedule>, Node<Woven>),
+    Plan,
+> = Stage {
+    name: "strip-chapter",
+    version: 1,
+    numerics: Numerics::Portable,
+    run: |input, (schedule, woven), _| {
+        let names = StripNames {
+            families: &input.families,
+            closed: input.closed,
+        };
+        plain(strip_chapter(&names, schedule, woven.drift))
     },
 };
 

@@ -10,6 +10,7 @@ pub(super) mod fabrication;
 pub(super) mod layout;
 pub(super) mod members;
 pub(super) mod plan;
+pub(super) mod splitting;
 pub(super) mod surface;
 
 use super::Failure;

@@ -1,15 +1,17 @@
 //! Chapters of the plan, and the plan.
 
+use super::fabrication::{Foils, equip};
 use super::plain;
 use crate::build::{Node, Numerics, Stage, Warnings};
 use crate::cladding::Clad;
+use crate::diagnostics::without_allowed;
 use crate::fabrication::nesting::Nest;
 use crate::grid::{Crossing, Lamella, Section};
 use crate::layout::{Domain, Side};
 use crate::members::Member;
 use crate::plan::{
-    BomRow, DiagnosticRecord, EdgePiece, PatchNames, PatchResults, Plan, bind, patch_chapter,
-    skeleton_chapter,
+    BomRow, DiagnosticRecord, EdgePiece, PatchNames, PatchResults, Plan, SupportRecord, bind,
+    patch_chapter, skeleton_chapter,
 };
 use crate::splitting::Feasibility;
 use crate::surface::{Curvature, SurfaceMesh, SurfacePoint};
@@ -42,7 +44,7 @@ type SkeletonNeeds = (
 /// Surface, points and edges.
 pub(in crate::build) const SKELETON: Stage<SkeletonInput, SkeletonNeeds, Plan> = Stage {
     name: "skeleton",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (surface, curvature, points, lines), _| {
         let points = input
@@ -86,7 +88,7 @@ type ChapterNeeds = (
 /// All records of a patch.
 pub(in crate::build) const CHAPTER: Stage<ChapterInput, ChapterNeeds, Plan> = Stage {
     name: "chapter",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (domain, clad, feasibility, feasible, u, v, crossings, lamellae), _| {
         let names = PatchNames {
@@ -114,12 +116,16 @@ pub(in crate::build) const CHAPTER: Stage<ChapterInput, ChapterNeeds, Plan> = St
 pub(in crate::build) struct PlanInput {
     pub(in crate::build) name: String,
     pub(in crate::build) subjects: Vec<String>,
+    /// Names of lints that are not told.
+    pub(in crate::build) allowed: Vec<String>,
 }
 
 type PlanNeeds = (
     Node<Plan>,
     Vec<Node<Plan>>,
     Node<Nest>,
+    Node<Foils>,
+    Node<Vec<SupportRecord>>,
     Node<Vec<BomRow>>,
     Vec<Warnings>,
 );
@@ -127,14 +133,17 @@ type PlanNeeds = (
 /// The plan.
 pub(in crate::build) const PLAN: Stage<PlanInput, PlanNeeds, Plan> = Stage {
     name: "plan",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
-    run: |input, (skeleton, chapters, nest, bill, warnings), _| {
+    run: |input, (skeleton, chapters, nest, foils, supports, bill, warnings), _| {
         let all = std::iter::once(skeleton).chain(chapters);
         let mut plan = bind(&input.name, all);
         plan.sheets.clone_from(&nest.sheets);
+        equip(&mut plan, foils, supports);
+        plan.nesting = nest.records();
         plan.bill_of_materials.clone_from(bill);
         for (subject, told) in input.subjects.iter().zip(warnings) {
+            let told = without_allowed(told.to_vec(), &input.allowed);
             plan.diagnostics.extend(told.iter().map(|diagnostic| {
                 let mut record = DiagnosticRecord::from(diagnostic);
                 if record.subject.is_none() && !subject.is_empty() {

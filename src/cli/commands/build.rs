@@ -1,12 +1,14 @@
 //! `egg build`: compile a project.
 
-use crate::build::graph::Extent;
+use crate::build::graph::{Extent, plan_of};
 use crate::build::{Built, Foreign, How, Plan, Request, State};
 use crate::cli::args::{Global, Selection};
 use crate::cli::console::{Console, out};
 use crate::cli::design::Opened;
 use crate::cli::exit::Exit;
 use crate::cli::run::Job;
+use crate::fabrication::sheet::trim;
+use crate::fabrication::units::MM;
 use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
@@ -50,6 +52,9 @@ fn finished(console: Console, job: &Job, built: &Built, begin: Instant) {
         .as_ref()
         .map_or("", |p| p.name.as_str());
     let publication = &built.publication;
+    if built.succeeded() {
+        nested(console, built);
+    }
     console.record(&Finished {
         reason: "build-finished",
         success: built.succeeded(),
@@ -89,6 +94,53 @@ fn finished(console: Console, job: &Job, built: &Built, begin: Instant) {
     }
 }
 
+/// How good the nesting is, for each material and thickness.
+fn nested(console: Console, built: &Built) {
+    let Some(plan) = plan_of(built) else {
+        return;
+    };
+    for group in &plan.nesting {
+        console.record(&Nested {
+            reason: "nested",
+            material: &group.material,
+            thickness: group.thickness,
+            sheets: group.sheets,
+            sheets_bound: group.sheets_bound,
+            rows: group.rows,
+            rows_bound: group.rows_bound,
+            panels: group.panels,
+            yield_share: group.yield_share,
+            yield_bound: group.yield_bound,
+        });
+        console.status(
+            "Nested",
+            &format!(
+                "{} {} mm on {} (at least {}), yield {:.1} % (at most {:.1} %)",
+                group.material,
+                trim(group.thickness * MM),
+                counted(group.sheets as usize, "sheet"),
+                group.sheets_bound,
+                group.yield_share * 100.0,
+                group.yield_bound * 100.0
+            ),
+        );
+    }
+}
+
+#[derive(Serialize)]
+struct Nested<'a> {
+    reason: &'static str,
+    material: &'a str,
+    thickness: f64,
+    sheets: u32,
+    sheets_bound: u32,
+    rows: u32,
+    rows_bound: u32,
+    panels: u32,
+    yield_share: f64,
+    yield_bound: f64,
+}
+
 fn counted(count: usize, what: &str) -> String {
     let plural = if count == 1 { "" } else { "s" };
     format!("{count} {what}{plural}")
@@ -124,7 +176,11 @@ pub(in crate::cli) fn dry_run(
                 reason: "stage-planned",
                 stage: &stage.instance.stage,
                 target: &stage.instance.target,
-                state: &stage.state,
+                state: stage.state.word(),
+                after: match &stage.state {
+                    State::Maybe { after } => after.iter().map(ToString::to_string).collect(),
+                    _ => Vec::new(),
+                },
                 reasons: &stage.reasons,
             });
         }
@@ -139,7 +195,9 @@ struct StagePlanned<'a> {
     reason: &'static str,
     stage: &'a str,
     target: &'a str,
-    state: &'a State,
+    state: &'static str,
+    /// What decides whether it runs, where that is not known yet.
+    after: Vec<String>,
     reasons: &'a [crate::build::Reason],
 }
 

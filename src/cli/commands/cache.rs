@@ -1,22 +1,21 @@
 //! `egg cache`: look after what was built before.
 
-use crate::build::{CacheNames, Clock, Limits, Mode, Store, cache_directory};
+use crate::build::{CacheNames, Clock, Mode, Store, cache_directory};
 use crate::cli::args::{CacheCommand, Global};
+use crate::cli::config::{Config, limits};
 use crate::cli::console::{Console, out};
 use crate::cli::exit::Exit;
 use serde::Serialize;
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::time::Duration;
-
-const DAY: Duration = Duration::from_secs(24 * 3600);
 
 pub(in crate::cli) fn run(
     console: Console,
     global: &Global,
     command: &CacheCommand,
 ) -> Result<Exit, Exit> {
-    let store = Store::new(directory(console, global)?);
+    let config = Config::read(console)?;
+    let store = Store::new(directory(console, global, &config)?);
     let text = match *command {
         CacheCommand::Status => {
             let status = store.status();
@@ -48,11 +47,7 @@ pub(in crate::cli) fn run(
             max_size,
             max_age,
         } => {
-            let defaults = Limits::default();
-            let limits = Limits {
-                size: max_size.map_or(defaults.size, |megabytes| megabytes * 1_000_000),
-                age: max_age.map_or(defaults.age, |days| days * DAY),
-            };
+            let limits = limits(max_size, max_age, config.limits());
             let collected = store.collect(&limits, Clock::default().now(), mode(dry_run));
             if collected.busy {
                 return busy(console);
@@ -79,11 +74,16 @@ pub(in crate::cli) fn run(
     Ok(Exit::Done)
 }
 
-/// The cache's directory, by option, environment or the user's habits.
-pub(in crate::cli) fn directory(console: Console, global: &Global) -> Result<PathBuf, Exit> {
+/// The cache's directory, by option, environment, configuration or the user's habits.
+pub(in crate::cli) fn directory(
+    console: Console,
+    global: &Global,
+    config: &Config,
+) -> Result<PathBuf, Exit> {
     let names = CacheNames {
         option: global.cache_dir.clone(),
         variable: std::env::var_os("EGG_CACHE_DIR"),
+        configured: config.cache_directory(),
     };
     cache_directory(&names, &|name| std::env::var_os(name)).ok_or_else(|| {
         console.complain(

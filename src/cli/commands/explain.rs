@@ -70,7 +70,7 @@ fn explain_output(
     Ok(Exit::Done)
 }
 
-/// Causes first, then everything of the project that it is made from, by line of the file.
+/// Causes first, then every line of the project file that it is made from.
 fn describe(explanation: &Explanation, opened: &Opened) -> String {
     let mut text = format!("{} is {}\n", explanation.instance, explanation.state.word());
     let tense = if explanation.pending {
@@ -90,21 +90,13 @@ fn describe(explanation: &Explanation, opened: &Opened) -> String {
         let place = place.map_or_else(String::new, |place| format!("  ({place})"));
         let _ = writeln!(text, "  {}{place}\n    {}", cause.reason, way.join(" > "));
     }
-    let mut influences: Vec<String> = explanation
+    let keys = explanation
         .influences
         .iter()
-        .filter_map(|influence| {
-            let key = influence.key.as_ref()?;
-            let place = opened
-                .place_of(key)
-                .map_or_else(String::new, |p| format!("  ({p})"));
-            Some(format!("  {key} = {}{place}", influence.value))
-        })
-        .collect();
-    influences.sort();
-    influences.dedup();
-    if !influences.is_empty() {
-        let _ = writeln!(text, "\nit is made from\n{}", influences.join("\n"));
+        .filter_map(|one| one.key.as_deref());
+    let lines = opened.lines_of(keys);
+    if !lines.is_empty() {
+        let _ = writeln!(text, "\nit is made from\n{}", lines.join("\n"));
     }
     text
 }

@@ -104,13 +104,13 @@ the surface.",
         name: "uncovered-peak",
         title: "shortest geodesics pass beside a peak of curvature",
         text: "\
-The way over a peak of Gaussian curvature, from the closest point of one side to the opposite side, \
-is longer than the shortest geodesic between its ends by the factor η. Above `split.eta_max` \
+Every way from one side over the peak of Gaussian curvature to the opposite side is longer than \
+the shortest geodesic between its ends, the best one by the factor η. Above `split.eta_max` \
 (1.0015) members leave a hole around the peak, and the grid does not describe the surface there \
 (paper, section 4.1).
 
 Split the patch so that a side runs over the peak (one family is affected) or a corner stands on it \
-(both are).",
+(both are): by hand, with `egg split`, or with every build (`split.workflow`).",
     },
     CodeInfo {
         code: "W0502",

@@ -26,6 +26,28 @@ pub const OPENINGS_MEET: Code = Code::new("E0710");
 pub const OPENING_TOO_WIDE: Code = Code::new("E0711");
 /// An opening breaks through the end.
 pub const OPENING_AT_END: Code = Code::new("E0712");
+/// No place for a joint of a lamella.
+pub const NO_PLACE_FOR_SPLICE: Code = Code::new("E0720");
+/// There is no plan to compare with.
+pub const PLAN_UNREADABLE: Code = Code::new("E0730");
+/// A file of the plan is not there.
+pub const FILE_MISSING: Code = Code::new("E0731");
+/// A file is no drawing or table.
+pub const FILE_UNREADABLE: Code = Code::new("E0732");
+/// A cut file is of another plan.
+pub const FILE_UNEXPECTED: Code = Code::new("E0733");
+/// A part is not drawn as the plan has it.
+pub const PART_DIFFERS: Code = Code::new("E0734");
+/// DXF and SVG show different things.
+pub const DRAWINGS_DIFFER: Code = Code::new("E0735");
+/// A table says other things than the plan.
+pub const TABLE_DIFFERS: Code = Code::new("E0736");
+/// A sticker is larger than the sheet of foil.
+pub const STICKER_TOO_LARGE: Code = Code::new("E0760");
+/// No lamellae cross where a support is listed.
+pub const SUPPORT_CARRIES_NOTHING: Code = Code::new("E0761");
+/// A support is lower than its contact face needs.
+pub const SUPPORT_TOO_LOW: Code = Code::new("E0762");
 /// A label found no place.
 pub const LABEL_OMITTED: Code = Code::new("W0720");
 /// A label has characters without strokes.
@@ -46,6 +68,29 @@ pub const WASHER_WIDE: Code = Code::new("W0727");
 pub const GRAIN_ACROSS: Code = Code::new("W0728");
 /// Parts lie close together.
 pub const NARROW_SPACING: Code = Code::new("W0729");
+/// A joint stands close to a crossing.
+pub const SPLICE_NEAR_CROSSING: Code = Code::new("W0730");
+/// No wood for the pins of a panel that is pushed on.
+pub const NO_REGISTRATION: Code = Code::new("W0731");
+/// A joint is bent further than it bears.
+pub const SPLICE_OVERSTRESSED: Code = Code::new("W0732");
+
+/// A sticker has no room for its slot.
+pub const STICKER_CROWDED: Code = Code::new("W0760");
+/// The foil is thick for its lamellae.
+pub const FOIL_THICK: Code = Code::new("W0761");
+/// The shell is loose on the bolt.
+pub const SHELL_LOOSE: Code = Code::new("W0762");
+/// Two listed supports stand at one place.
+pub const SUPPORT_TWICE: Code = Code::new("W0763");
+/// A contact face is too steep for a foot.
+pub const SUPPORT_STEEP: Code = Code::new("W0764");
+/// A printed support is larger than printers print.
+pub const SUPPORT_LARGE: Code = Code::new("W0765");
+/// A support is heavier than one person carries.
+pub const SUPPORT_HEAVY: Code = Code::new("W0766");
+/// The grid dips below the ground of its supports.
+pub const GRID_BELOW_GROUND: Code = Code::new("W0767");
 
 pub(super) const CODES: &[CodeInfo] = &[
     CodeInfo {
@@ -99,7 +144,8 @@ with the project.",
         name: "bolt-series",
         title: "no standard series for this bolt",
         text: "The bill of materials picks bolt lengths, nuts and washers from the metric \
-series M2, M2.5, M3, M4, M5, M6, M8, M10 and M12 (ISO 7380, DIN 985, ISO 7093). Choose one of them.",
+series M2, M2.5, M3, M4, M5, M6, M8, M10, M12, M14, M16, M20, M24 and M30 (ISO 7380, above M12 ISO \
+4014; DIN 985, ISO 7093). Choose one of them.",
     },
     CodeInfo {
         code: "E0708",
@@ -107,7 +153,7 @@ series M2, M2.5, M3, M4, M5, M6, M8, M10 and M12 (ISO 7380, DIN 985, ISO 7093). 
         title: "no bolt of the series is long enough",
         text: "At a connection the bolt goes through every lamella that meets there, two washers \
 and the nut. The longest bolt of the series is shorter than that. Choose thinner lamellae or a \
-larger bolt.",
+larger bolt; from M8 on, threaded rod is cut to length instead.",
     },
     CodeInfo {
         code: "E0709",
@@ -141,6 +187,70 @@ when it is cut. Choose wider lamellae, or a thinner bolt and shell.",
         text: "The opening reaches the end of the lamella or leaves less than a millimetre. \
 `end_margin` in `[fabrication]` is the distance from the last bolt to the end; its default is the \
 width of the lamella.",
+    },
+    CodeInfo {
+        code: "E0720",
+        name: "no-place-for-splice",
+        title: "a lamella cannot be divided clear of its crossings",
+        text: "A lamella that is longer than the stock is joined from pieces. A joint keeps one and \
+a half bolt diameters from every opening, plates also keep clear of crossing lamellae, and every \
+piece has to fit on a panel. Where crossings are so dense that no stretch between them takes a \
+joint, the lamella cannot be spliced.\n\nChoose a shorter joint (fingers are the shortest), fewer \
+members of the other family, or longer stock.",
+    },
+    CodeInfo {
+        code: "E0730",
+        name: "plan-unreadable",
+        title: "there is no plan to compare files with",
+        text: "`egg verify` takes the output folder of a build and compares its files with \
+`plan.ron` in it. The folder has none, or one that is damaged or of a newer program.",
+    },
+    CodeInfo {
+        code: "E0731",
+        name: "file-missing",
+        title: "a file that belongs to the plan is not there",
+        text: "A build writes a cut file for every sheet, or for every window of a sheet that is \
+longer than the bed, a file for every part, and the tables. One of them is missing from the folder. \
+Build the project again: files that are there already are left alone.",
+    },
+    CodeInfo {
+        code: "E0732",
+        name: "file-unreadable",
+        title: "a drawing or table cannot be read",
+        text: "The file is cut short, was converted by another program, or holds what cut files of \
+egg never hold: splines, texts, blocks. Build the project again.",
+    },
+    CodeInfo {
+        code: "E0733",
+        name: "file-unexpected",
+        title: "a cut file belongs to no sheet of the plan",
+        text: "The folder holds a cut file that the plan does not have, most likely of an older \
+build that was copied here. Whoever cuts everything in the folder would cut parts that fit nowhere. \
+Remove it.",
+    },
+    CodeInfo {
+        code: "E0734",
+        name: "part-differs",
+        title: "a part is not drawn as the plan has it",
+        text: "An outline or an opening in the cut file is missing, too many, of another size or at \
+another place than the plan says: the file was edited, scaled or belongs to another build. Parts \
+that are cut from it will not fit. Build the project again; what shall differ belongs into the \
+project file.",
+    },
+    CodeInfo {
+        code: "E0735",
+        name: "drawings-differ",
+        title: "the DXF and the SVG of a drawing differ",
+        text: "Both are written from one drawing and agree to a thousandth of a millimetre. One of \
+them was changed since, or belongs to another build. Build the project again.",
+    },
+    CodeInfo {
+        code: "E0736",
+        name: "table-differs",
+        title: "a table says other things than the plan",
+        text: "A row of a CSV file is missing, too many, or has another number than the plan. \
+Spreadsheets that store a table again may round numbers or turn ids into dates. Build the project \
+again, and edit a copy.",
     },
     CodeInfo {
         code: "W0720",
@@ -217,5 +327,126 @@ across the lamellae. Turn the panel so that the grain of the faces runs along th
         title: "parts lie close together on the sheet",
         text: "A thin strip of waste between two cuts chars, bends and may move the parts. Half \
 the thickness of the sheet plus the kerf, at least 2 mm, is a usual `spacing`.",
+    },
+    CodeInfo {
+        code: "W0730",
+        name: "splice-near-crossing",
+        title: "a joint stands close to an opening",
+        text: "Openings and joints both weaken a lamella, and a joint beside a bolt takes the \
+bolt's load. Twice the width of the lamella, and at least 30 mm, are a usual distance. The joints \
+stand where the lamella bends and twists least and other joints are far; here no such place is \
+farther from a crossing.",
+    },
+    CodeInfo {
+        code: "W0731",
+        name: "no-registration",
+        title: "no wood for the pins of a panel that is pushed on",
+        text: "A panel that is longer than the bed is cut in windows. Two holes in the border of \
+the sheet, cut in one window, take pins that hold the panel in place for the next one. Where the \
+margin is narrower than 5 mm there is no wood for them: align the panel by the marks on the guide \
+layer, or widen `margin` in `[fabrication]`.",
+    },
+    CodeInfo {
+        code: "W0732",
+        name: "splice-overstressed",
+        title: "a joint is bent further than it bears",
+        text: "Bending a lamella into the surface takes a stress of E κ t / 2. In a joint less of \
+the section carries it: half at the roots of fingers, what the holes leave of a plate, all of a scarf. \
+Here that is more than the bending strength of the material, although the joint stands where the \
+lamella bends least. Choose thinner lamellae, scarfs, or stock long enough to do without.",
+    },
+    CodeInfo {
+        code: "E0760",
+        name: "sticker-too-large",
+        title: "a sticker is larger than the sheet of foil",
+        text: "A sticker covers the whole area in which two lamellae touch while the grid \
+unfolds: the wider the lamellae, the flatter the angle and the longer the slide, the larger. It is \
+cut in one piece, on a card with its number.\n\nGive the size of the foil that you buy, \
+`sticker = { thickness = 0.13, sheet = { length = 500, width = 300 } }` in `[hardware]`, or make \
+its `margin` smaller.",
+    },
+    CodeInfo {
+        code: "E0761",
+        name: "support-carries-nothing",
+        title: "no lamellae cross where a support is listed",
+        text: "A support is bolted to the lamellae that cross at its point. Points that are no \
+corner of a patch have none, unless a crossing happens to lie there. Name a corner, or a crossing \
+by its id: `west.u01-v04`. The layout drawing and crossings.csv have all ids.",
+    },
+    CodeInfo {
+        code: "E0762",
+        name: "support-too-low",
+        title: "a support is lower than its contact face needs",
+        text: "The contact face of a support is inclined as the surface is. Its lower edge must \
+stay above the ground, and the hole for the bolt inside the body, so the steeper the face, the \
+higher the support. `height` in `[supports]` is the height of the lowest contact face above the \
+ground; leave it out, and the supports are as low as they can be.",
+    },
+    CodeInfo {
+        code: "W0760",
+        name: "sticker-crowded",
+        title: "a sticker has no room for its slot",
+        text: "Where crossings are close together, stickers are cut back half way between them. \
+What is left here is too narrow for the slot, and no sticker is made: wood slides on wood, with \
+three times the friction. Wider lamellae, fewer members, a planar angle farther from 0 and 180 \
+degrees, or a thinner bolt and shell make room.",
+    },
+    CodeInfo {
+        code: "W0761",
+        name: "foil-thick",
+        title: "the foil is thick for its lamellae",
+        text: "Two foils lie between the lamellae of every crossing that slides, and none at the \
+boundary. If together they are thicker than three tenths of a lamella, the inner members stand off \
+the surface visibly and bolts get longer. Foils for this purpose are 0.1 to 0.25 mm thick; perhaps \
+the thickness is in the wrong unit.",
+    },
+    CodeInfo {
+        code: "W0762",
+        name: "shell-loose",
+        title: "the shell is loose on the bolt",
+        text: "The bolt clamps the shell between its washers. If the bore is wider than the bolt \
+by more than half a millimetre, the shell stands askew and its edge bites into the notch. Take a \
+tube with a bore 0.1 to 0.2 mm wider than the bolt: 4 x 0.45 for M3, 5 x 0.45 for M4.",
+    },
+    CodeInfo {
+        code: "W0763",
+        name: "support-twice",
+        title: "two listed supports stand at one place",
+        text: "A corner and the crossing of the two boundary members there are the same point, \
+and crossings of neighbouring patches are where the patches meet. One support is made for all.",
+    },
+    CodeInfo {
+        code: "W0764",
+        name: "support-steep",
+        title: "a contact face is too steep for a foot",
+        text: "The tangent plane of the surface stands steeper than 70 degrees there. A foot \
+below such a face would have to be cut nearly to a blade; the structure wants to be held from the \
+side. No body is made: bolt it to a wall, a post or a frame. The plan and supports.csv have its \
+place and its normal.",
+    },
+    CodeInfo {
+        code: "W0765",
+        name: "support-large",
+        title: "a printed support is larger than printers print",
+        text: "Common printers print 220 to 250 mm in each direction. A foot grows with its \
+height, so that it does not tip. Choose blocks (`kind = \"wedge-on-block\"`), support the \
+structure where it is lower, or build a post and print only its head.",
+    },
+    CodeInfo {
+        code: "W0766",
+        name: "support-heavy",
+        title: "a support is heavier than one person carries",
+        text: "The paper's supports are stable under their own weight and light enough to be \
+carried. A block grows with the square of its height, because a tall one must be broad. Cast it on \
+the spot, stack it from pieces, or support the structure where it is lower.",
+    },
+    CodeInfo {
+        code: "W0767",
+        name: "grid-below-ground",
+        title: "the grid dips below the ground of its supports",
+        text: "The ground is taken as level, `height` below the lowest contact face. Between the \
+supports the surface hangs lower than that. Raise the supports with `height` in `[supports]`, or \
+leave it out: then the ground is below the lowest member. Or support the structure where it is \
+lowest.",
     },
 ];

@@ -11,10 +11,40 @@ pub const SPIRAL: Code = Code::new("E0603");
 /// Counts that contradict each other.
 pub const COUNTS: Code = Code::new("E0604");
 
+/// A ring that was to close.
+pub const CANNOT_CLOSE: Code = Code::new("E0330");
+
+/// A ring that does not close.
+pub const OPEN_RING: Code = Code::new("W0330");
 /// Flat lamellae that lie on each other.
 pub const FLAT_OVERLAP: Code = Code::new("W0601");
 
 pub(super) const CODES: &[CodeInfo] = &[
+    CodeInfo {
+        code: "E0330",
+        name: "ring-cannot-close",
+        title: "a ring of members does not close",
+        text: "\
+`distribution.closed` asks that the members of a ring of patches end where they began. A member is \
+carried around by the cladding functions of the patches, and these are given by the surface and by \
+the planar angles: what one patch shifts, another has to shift back. Here the members come back \
+beside their beginnings, by the distance that is told.
+
+Rings close where neighbouring patches are mirror images of each other and collapse as mirror images: \
+list their corners in mirrored order and give both the same `alpha`. Otherwise take the family out of \
+`closed`: on the side where the ring begins, members of the two patches then end beside each other, \
+each on the boundary lamella of its own patch.",
+    },
+    CodeInfo {
+        code: "W0330",
+        name: "open-ring",
+        title: "the members of a ring end beside where they began",
+        text: "\
+Members that run once around a ring of patches need not come back to where they began (paper, \
+section 4.4). On the side where the ring begins the members of the two patches end beside each \
+other. The grid is sound: every patch has a boundary lamella of its own there. It is said because \
+it shows.",
+    },
     CodeInfo {
         code: "E0601",
         name: "no-member",

@@ -1,4 +1,4 @@
-//! Codes of the layout: `E04xx` and lints `W04xx`.
+//! Codes of the layout: `E04xx` and lints `W04xx`; of the layout as a whole `E032x` and `W032x`.
 
 use super::{Code, CodeInfo};
 
@@ -15,10 +15,82 @@ pub const FOLDED: Code = Code::new("E0405");
 /// Sides that meet between their corners.
 pub const SIDES_CROSS: Code = Code::new("E0406");
 
+/// Patches that cover the same part of the surface.
+pub const OVERLAP: Code = Code::new("E0320");
+/// A corner that reaches over the side of a neighbour.
+pub const UNDECLARED: Code = Code::new("E0321");
+/// A side that bends around the border.
+pub const BLOCKED: Code = Code::new("E0322");
+/// A hole inside a patch.
+pub const HOLE: Code = Code::new("E0323");
+
+/// A corner that nearly stands on the side of a neighbour.
+pub const NEAR_MISS: Code = Code::new("W0320");
+
 /// An anchor that is well off the surface.
 pub const FAR_ANCHOR: Code = Code::new("W0401");
 
 pub(super) const CODES: &[CodeInfo] = &[
+    CodeInfo {
+        code: "E0320",
+        name: "patches-overlap",
+        title: "two patches overlap",
+        text: "\
+Patches lie beside each other: their sides meet only in anchors, and no part of the surface belongs \
+to two of them. Here two sides cross, or one patch lies within another, or two patches lie on the \
+same side of the side that they share.
+
+A side is the *shortest* geodesic between its anchors, which on a curved surface is not the straight \
+line on a plan: look at `layout/patches.svg` of a build of one patch (`egg build --only west`). Move \
+the corners, or put an anchor where the sides cross and divide the patches there.",
+    },
+    CodeInfo {
+        code: "E0321",
+        name: "undeclared-junction",
+        title: "a corner reaches over the side of a neighbour",
+        text: "\
+A corner of one patch stands on the side of another, or a little beyond it, without being an anchor \
+of that side. Members would end there, and the patches overlap by a sliver. A T-junction is \
+declared by the anchor:
+
+    t = { on = [\"a\", \"b\"], at = 0.3 }    # at 30 per cent of the way from a to b
+
+The long side stays one side of its patch; the patches beyond take its parts, and members run on \
+across.",
+    },
+    CodeInfo {
+        code: "E0322",
+        name: "blocked-side",
+        title: "a side bends around the border of the surface",
+        text: "\
+The shortest way between two anchors runs along the border of a hole, or around a corner of the \
+outline, and bends there. That is the shortest way, but no geodesic: a straight lamella does not \
+bend sideways. Where the border itself was cut along a geodesic the way follows it without a bend, \
+and all is well.
+
+Move the anchors so that the way is free, put an anchor where the way touches the border and let \
+patches meet there, or close the hole in the mesh (the openings can be cut into the finished grid).",
+    },
+    CodeInfo {
+        code: "E0323",
+        name: "hole-in-patch",
+        title: "a patch has a hole of the surface inside",
+        text: "\
+Members of a patch run from side to side. Around a hole shortest geodesics bend and crowd, so the \
+patch cannot be covered. Lay several patches around the hole (four are enough for a courtyard), or \
+close it in the mesh.",
+    },
+    CodeInfo {
+        code: "W0320",
+        name: "near-junction",
+        title: "a corner nearly stands on the side of a neighbour",
+        text: "\
+A corner of one patch stands on the side of another, or stops short of it by less than two per cent \
+of that side, without being an anchor of it. The patches are then separate: members end at the gap. \
+If they shall run on, declare the corner on the side:
+
+    t = { on = [\"a\", \"b\"], at = 0.3 }",
+    },
     CodeInfo {
         code: "E0401",
         name: "anchor-off-surface",

@@ -6,10 +6,12 @@
 mod build;
 pub mod cladding;
 mod cli;
+pub mod diff;
 pub mod fabrication;
 pub mod grid;
 pub mod layout;
 mod project;
+pub mod splitting;
 pub mod surface;
 
 use serde::{Deserialize, Serialize};
@@ -73,11 +75,13 @@ pub fn all() -> impl Iterator<Item = &'static CodeInfo> {
     [
         project::CODES,
         surface::CODES,
+        splitting::CODES,
         layout::CODES,
         cladding::CODES,
         grid::CODES,
         fabrication::CODES,
         build::CODES,
+        diff::CODES,
         cli::CODES,
     ]
     .into_iter()

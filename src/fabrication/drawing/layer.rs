@@ -7,7 +7,7 @@
 use crate::project::model::ColourPreset;
 
 /// Every layer of every drawing, in the order in which an SVG paints them. A drawing uses the
-/// layers of one of the three kinds only.
+/// layers of one of the kinds only.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Layer {
     // Cut files.
@@ -21,6 +21,13 @@ pub enum Layer {
     CutInner,
     /// Outlines; cut last.
     CutOuter,
+    // Foil sheets.
+    /// Numbers for a pen, or for the eye where the plotter has none.
+    Pen,
+    /// Cuts through the foil that leave its backing whole.
+    KissCut,
+    /// Cuts through foil and backing.
+    ThroughCut,
     // Drawings of lamellae for people.
     /// The panel.
     Sheet,
@@ -67,6 +74,9 @@ impl Layer {
             Self::Score => "SCORE",
             Self::CutInner => "CUT_INNER",
             Self::CutOuter => "CUT_OUTER",
+            Self::Pen => "PEN",
+            Self::KissCut => "KISS_CUT",
+            Self::ThroughCut => "THROUGH_CUT",
             Self::Sheet => "SHEET",
             Self::LamellaV => "LAMELLA_V",
             Self::OpeningV => "OPENING_V",
@@ -92,12 +102,15 @@ impl Layer {
     }
 
     /// All layers in painting order.
-    pub const ALL: [Self; 21] = [
+    pub const ALL: [Self; 24] = [
         Self::Guide,
         Self::Engrave,
         Self::Score,
         Self::CutInner,
         Self::CutOuter,
+        Self::Pen,
+        Self::KissCut,
+        Self::ThroughCut,
         Self::Sheet,
         Self::LamellaV,
         Self::LamellaU,
@@ -147,6 +160,7 @@ const HAIRLINE: f64 = 0.01;
 const RED: ([u8; 3], u8) = ([255, 0, 0], 1);
 const MAGENTA: ([u8; 3], u8) = ([255, 0, 255], 6);
 const BLUE: ([u8; 3], u8) = ([0, 0, 255], 5);
+const GREEN: ([u8; 3], u8) = ([0, 255, 0], 3);
 /// Colour 7 is drawn black on white and white on black.
 const BLACK: ([u8; 3], u8) = ([0, 0, 0], 7);
 const GREY: ([u8; 3], u8) = ([128, 128, 128], 8);
@@ -179,17 +193,19 @@ fn style((rgb, aci): ([u8; 3], u8), pen: f64, fill: Option<[u8; 3]>) -> Style {
     }
 }
 
-/// Cut and score swap between the presets; engraving is black, what no tool shall touch is the
-/// remaining primary that shows on a screen.
+/// Cut and score swap between the first two presets; the third tells openings from outlines. Engraving
+/// is black, what no tool shall touch is the remaining primary that shows on a screen.
 fn cut_style(preset: ColourPreset, layer: Layer) -> Style {
-    let (cut, score) = match preset {
-        ColourPreset::RedCut => (RED, BLUE),
-        ColourPreset::BlueCut => (BLUE, RED),
+    let (outer, inner, score) = match preset {
+        ColourPreset::RedCut => (RED, RED, BLUE),
+        ColourPreset::BlueCut => (BLUE, BLUE, RED),
+        ColourPreset::ByLayer => (RED, BLUE, GREEN),
     };
     let colour = match layer {
-        Layer::CutInner | Layer::CutOuter => cut,
-        Layer::Score => score,
-        Layer::Engrave => BLACK,
+        Layer::CutInner => inner,
+        Layer::CutOuter | Layer::ThroughCut => outer,
+        Layer::Score | Layer::KissCut => score,
+        Layer::Engrave | Layer::Pen => BLACK,
         _ => MAGENTA,
     };
     style(colour, HAIRLINE, None)
@@ -219,9 +235,39 @@ fn plain_people_style(layer: Layer) -> Style {
         Layer::Gridline => style(([214, 214, 214], 9), 0.18, None),
         Layer::Axis | Layer::Guide => style(GREY, 0.3, None),
         Layer::Side => style(BLACK, 0.8, None),
-        Layer::Score => style(BLUE, 0.25, None),
-        Layer::Label | Layer::Title | Layer::Engrave => style(BLACK, 0.3, None),
-        Layer::CutInner | Layer::CutOuter => style(RED, 0.25, None),
+        Layer::Score | Layer::KissCut => style(BLUE, 0.25, None),
+        Layer::Label | Layer::Title | Layer::Engrave | Layer::Pen => style(BLACK, 0.3, None),
+        Layer::CutInner | Layer::CutOuter | Layer::ThroughCut => style(RED, 0.25, None),
         Layer::Halo => style((PAPER, 7), 1.0, None),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn presets_give_every_tool_a_pure_colour_of_its_own() {
+        use ColourPreset::{BlueCut, ByLayer, RedCut};
+        let tools = [
+            Layer::Engrave,
+            Layer::Score,
+            Layer::CutInner,
+            Layer::CutOuter,
+        ];
+        for (preset, colours) in [(RedCut, 3), (BlueCut, 3), (ByLayer, 4)] {
+            let mut seen: Vec<[u8; 3]> = Vec::new();
+            for layer in tools {
+                let style = Palette::Cut(preset).style(layer);
+                assert!(style.rgb.iter().all(|c| matches!(c, 0 | 255)), "{layer:?}");
+                assert_eq!(style.fill, None);
+                if !seen.contains(&style.rgb) {
+                    seen.push(style.rgb);
+                }
+            }
+            assert_eq!(seen.len(), colours, "{preset:?}");
+            let guide = Palette::Cut(preset).style(Layer::Guide).rgb;
+            assert!(!seen.contains(&guide));
+        }
     }
 }

@@ -11,9 +11,10 @@ mod misfit;
 mod packing;
 mod panels;
 mod rows;
+mod windows;
 
 use crate::diagnostics::{Checked, Diagnostic, Warned};
-use crate::plan::{PlacedPart, SheetRecord};
+use crate::plan::{NestingRecord, PlacedPart, SheetRecord};
 use crate::project::model::{Bed, Fabrication, Grain};
 use misfit::{misfit, spacing_below_kerf};
 use panels::{Lay, formats};
@@ -38,6 +39,8 @@ pub struct Blank {
     pub length: f64,
     /// Metres.
     pub width: f64,
+    /// Longest shape of it that has to be cut in one go, metres: its longest opening.
+    pub whole: f64,
     /// Which way the grain runs in the part.
     pub grain: Grain,
 }
@@ -100,6 +103,26 @@ pub struct Group {
     pub panels: u32,
     /// Area of parts over area of sheets.
     pub yield_share: f64,
+    /// The same for a nesting that reaches both bounds.
+    pub yield_bound: f64,
+}
+
+impl Nest {
+    /// How good it is, as the plan says it.
+    pub fn records(&self) -> Vec<NestingRecord> {
+        let record = |group: &Group| NestingRecord {
+            material: group.material.clone(),
+            thickness: group.thickness,
+            sheets: group.sheets,
+            sheets_bound: group.sheets_bound,
+            rows: group.rows,
+            rows_bound: group.rows_bound,
+            panels: group.panels,
+            yield_share: group.yield_share,
+            yield_bound: group.yield_bound,
+        };
+        self.groups.iter().map(record).collect()
+    }
 }
 
 impl Settings {
@@ -118,6 +141,15 @@ impl Settings {
             spacing: fabrication.spacing,
             kerf: fabrication.kerf,
         }
+    }
+
+    /// Length of the longest part that a sheet takes, metres.
+    pub fn longest(&self, grain: Grain) -> f64 {
+        lays(grain)
+            .iter()
+            .flat_map(|lay| formats(self, *lay))
+            .map(|format| self.usable(&format)[0])
+            .fold(0.0, f64::max)
     }
 
     fn usable(&self, format: &Format) -> [f64; 2] {
@@ -167,18 +199,23 @@ pub fn nest(blanks: &[Blank], settings: &Settings) -> Checked<Nest> {
     }
 }
 
+/// Ways to lay parts whose grain runs along them, across them, or not at all.
+fn lays(grain: Grain) -> &'static [Lay] {
+    match grain {
+        Grain::Across => &[Lay::Across],
+        Grain::None => &[Lay::Along, Lay::Across],
+        Grain::Along => &[Lay::Along],
+    }
+}
+
 fn nest_group(
     blanks: &[&Blank],
     settings: &Settings,
 ) -> Result<(Vec<SheetRecord>, Group), Box<Diagnostic>> {
-    let lays = match blanks.first().map(|blank| blank.grain) {
-        Some(Grain::Across) => vec![Lay::Across],
-        Some(Grain::None) => vec![Lay::Along, Lay::Across],
-        Some(Grain::Along) | None => vec![Lay::Along],
-    };
-    let mut formats: Vec<Format> = lays
-        .into_iter()
-        .flat_map(|lay| formats(settings, lay))
+    let grain = blanks.first().map_or(Grain::Along, |blank| blank.grain);
+    let mut formats: Vec<Format> = lays(grain)
+        .iter()
+        .flat_map(|lay| formats(settings, *lay))
         .collect();
     // The longest first: what does not fit on any is explained on that one.
     formats.sort_by(|a, b| {
@@ -241,6 +278,7 @@ fn nest_on(blanks: &[&Blank], settings: &Settings, format: Format) -> (Vec<Sheet
         rows_bound: rows_bound as u32,
         panels: count.div_ceil(format.per_panel),
         yield_share: parts / (f64::from(count) * format.length * format.width),
+        yield_bound: parts / (f64::from(sheets_bound.max(1)) * format.length * format.width),
     };
     (sheets, group)
 }
@@ -268,6 +306,7 @@ fn sheets_bound(
 fn sheet(stack: &[&Row], settings: &Settings, format: Format) -> SheetRecord {
     let mut parts = Vec::new();
     let mut area = 0.0;
+    let mut whole = 0.0;
     let mut y = settings.margin.max(TITLE_STRIP);
     for row in stack {
         let mut x = settings.margin;
@@ -278,6 +317,7 @@ fn sheet(stack: &[&Row], settings: &Settings, format: Format) -> SheetRecord {
                 y,
             });
             area += part.length * part.width;
+            whole = f64::max(whole, part.whole);
             x += part.length + settings.spacing;
         }
         y += row.width + settings.spacing;
@@ -290,7 +330,9 @@ fn sheet(stack: &[&Row], settings: &Settings, format: Format) -> SheetRecord {
         length: format.length,
         width: format.width,
         yield_share: area / (format.length * format.width),
+        kerf: settings.kerf,
         parts,
+        windows: windows::windows(format.length, settings.bed.as_ref(), whole),
     }
 }
 

@@ -8,6 +8,7 @@ fn blank(id: usize, length: f64, width: f64) -> Blank {
         thickness: 0.003,
         length,
         width,
+        whole: 0.03,
         grain: Grain::Along,
     }
 }

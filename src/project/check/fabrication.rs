@@ -54,11 +54,23 @@ pub(super) fn hardware(
     })
 }
 
+/// Length and width of a sheet of foil where the project says none, metres: the longer mat of
+/// knife plotters for the desk.
+const FOIL_SHEET: [f64; 2] = [0.6, 0.3];
+
 fn sticker(said: &StickerFile) -> Option<Sticker> {
+    let sheet = match &said.sheet {
+        None => FOIL_SHEET,
+        Some(sheet) => {
+            let sheet = sheet.good()?;
+            [sheet.length.good()?.si, sheet.width.good()?.si]
+        }
+    };
     Some(Sticker {
         foil: said.foil.said_or(Label("PTFE".to_owned()))?.0,
         thickness: said.thickness.good()?.si,
         margin: said.margin.said_or(Length::new(0.002))?.si,
+        sheet,
     })
 }
 

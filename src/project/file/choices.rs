@@ -138,6 +138,9 @@ impl Choice for SupportKind {
 }
 
 impl Choice for ColourPreset {
-    const ALL: &'static [(&'static str, Self)] =
-        &[("red-cut", Self::RedCut), ("blue-cut", Self::BlueCut)];
+    const ALL: &'static [(&'static str, Self)] = &[
+        ("red-cut", Self::RedCut),
+        ("blue-cut", Self::BlueCut),
+        ("by-layer", Self::ByLayer),
+    ];
 }

@@ -248,14 +248,15 @@ section!(SplitSection {
 #[derive(Debug, Clone, JsonSchema)]
 #[schemars(deny_unknown_fields)]
 pub(crate) struct SupportsSection {
-    /// Where: `"corners"` of the patches, `"every-boundary-crossing"`, or a list of points (`"a"`)
-    /// and crossings (`"west.u03-v05"`). Default `"corners"`.
+    /// Where: `"corners"` of the patches along the rim, `"every-boundary-crossing"` of the rim, or
+    /// a list of points (`"a"`) and crossings (`"west.u03-v05"`). Default `"corners"`.
     #[schemars(extend("default" = "corners"))]
     pub(crate) at: Option<Field<SupportPlacesFile>>,
     /// What. Default `"printed"`.
     #[schemars(extend("default" = "printed"))]
     pub(crate) kind: Option<Field<Pick<SupportKind>>>,
-    /// Height of the lowest support above the ground, a length. Default 0.
+    /// Height of the lowest contact face above the ground, a length. Default 0: as low as the
+    /// supports can be with the grid clear of the ground.
     #[schemars(extend("default" = 0))]
     pub(crate) height: Option<Field<Length<Gap>>>,
 }
@@ -294,13 +295,28 @@ pub(crate) struct StickerFile {
     /// Margin around the contact area, a length. Default `"2 mm"`.
     #[schemars(extend("default" = "2 mm"))]
     pub(crate) margin: Option<Field<Length<Gap>>>,
+    /// The sheet of foil that stickers are cut from. Default 600 mm x 300 mm.
+    pub(crate) sheet: Option<Field<FoilFile>>,
 }
 
 section!(StickerFile {
     foil,
     thickness,
-    margin
+    margin,
+    sheet
 });
+
+/// A sheet of foil.
+#[derive(Debug, Clone, JsonSchema)]
+#[schemars(deny_unknown_fields)]
+pub(crate) struct FoilFile {
+    /// A length.
+    pub(crate) length: Field<Length<Extent>>,
+    /// A length.
+    pub(crate) width: Field<Length<Extent>>,
+}
+
+section!(FoilFile { length, width });
 
 /// Stock, machine and drawing conventions.
 #[derive(Debug, Clone, JsonSchema)]

@@ -1,0 +1,229 @@
+//! Points and patches as text of a project file: what `egg split` prints, to be pasted and kept.
+//! What is written is read back to the last bit.
+
+use super::Notation;
+use super::model::{Anchor, Patch, Point, Project};
+
+/// How lengths are written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LengthText {
+    /// Bare, in a unit of `10^-power` metres: 3 for millimetres.
+    Decimal {
+        /// The power.
+        power: usize,
+    },
+    /// With the unit metre, in files whose unit is no power of ten of it.
+    Metres,
+}
+
+impl LengthText {
+    /// For a file with these `project.units`; millimetres where unsaid.
+    pub fn of(units: Option<&str>) -> Self {
+        match units {
+            Some("in" | "ft") => Self::Metres,
+            Some("m") => Self::Decimal { power: 0 },
+            Some("cm") => Self::Decimal { power: 2 },
+            _ => Self::Decimal { power: 3 },
+        }
+    }
+
+    fn write(self, metres: f64) -> String {
+        match self {
+            Self::Metres => format!("\"{metres} m\""),
+            Self::Decimal { power } => shifted(&format!("{metres}"), power),
+        }
+    }
+}
+
+/// The tables `points`, `patches` and, where there are any, weights of sides of a project, as text
+/// that replaces those of its file.
+pub fn layout_text(project: &Project, notation: Notation, lengths: LengthText) -> String {
+    match notation {
+        Notation::Toml => toml(project, lengths),
+        Notation::Ron => ron(project, lengths),
+    }
+}
+
+fn toml(project: &Project, lengths: LengthText) -> String {
+    let mut text = String::from("[points]\n");
+    for point in &project.points {
+        let place = place(point, lengths, |edge, at| {
+            format!("{{ on = [\"{}\", \"{}\"], at = {at} }}", edge[0], edge[1])
+        });
+        let place = match &point.anchor {
+            Anchor::Vertex(vertex) => format!("{{ vertex = {vertex} }}"),
+            _ => place,
+        };
+        text.push_str(&format!("{} = {place}\n", point.name));
+    }
+    for patch in &project.patches {
+        let [a, b, c, d] = &patch.corners;
+        text.push_str(&format!("\n[patches.{}]\n", patch.name));
+        text.push_str(&format!("corners = [\"{a}\", \"{b}\", \"{c}\", \"{d}\"]\n"));
+        let members = members(patch, " = ");
+        if !members.is_empty() {
+            text.push_str(&format!("members = {{ {members} }}\n"));
+        }
+        if let Some(alpha) = patch.alpha {
+            text.push_str(&format!("alpha = {}\n", degrees(alpha)));
+        }
+    }
+    let weights = weights(project, " = ");
+    if !weights.is_empty() {
+        text.push_str(&format!("\n[distribution]\nweights = {{ {weights} }}\n"));
+    }
+    text
+}
+
+fn ron(project: &Project, lengths: LengthText) -> String {
+    let mut text = String::from("points: {\n");
+    for point in &project.points {
+        let place = place(point, lengths, |edge, at| {
+            format!("(on: (\"{}\", \"{}\"), at: {at})", edge[0], edge[1])
+        });
+        let place = match &point.anchor {
+            Anchor::Vertex(vertex) => format!("(vertex: {vertex})"),
+            _ => place,
+        };
+        text.push_str(&format!("    \"{}\": {place},\n", point.name));
+    }
+    text.push_str("},\npatches: {\n");
+    for patch in &project.patches {
+        let [a, b, c, d] = &patch.corners;
+        let mut fields = format!("corners: [\"{a}\", \"{b}\", \"{c}\", \"{d}\"]");
+        let members = members(patch, ": ");
+        if !members.is_empty() {
+            fields.push_str(&format!(", members: ({members})"));
+        }
+        if let Some(alpha) = patch.alpha {
+            fields.push_str(&format!(", alpha: {}", degrees(alpha)));
+        }
+        text.push_str(&format!("    \"{}\": ({fields}),\n", patch.name));
+    }
+    text.push_str("},\n");
+    let weights = weights(project, ": ");
+    if !weights.is_empty() {
+        text.push_str(&format!("distribution: (weights: {{ {weights} }}),\n"));
+    }
+    text
+}
+
+fn place(point: &Point, lengths: LengthText, on: impl Fn(&[String; 2], f64) -> String) -> String {
+    let list = |lengths_of: &[f64]| {
+        let all: Vec<String> = lengths_of.iter().map(|&x| lengths.write(x)).collect();
+        format!("[{}]", all.join(", "))
+    };
+    match &point.anchor {
+        Anchor::Above(at) => list(at),
+        Anchor::Near(at) => list(at),
+        Anchor::Vertex(_) => String::new(),
+        Anchor::On { edge, at } => on(edge, *at),
+    }
+}
+
+fn members(patch: &Patch, is: &str) -> String {
+    let counts = [("u", patch.u), ("v", patch.v)];
+    let said = counts
+        .iter()
+        .filter_map(|(family, count)| Some(format!("{family}{is}{}", (*count)?)));
+    said.collect::<Vec<String>>().join(", ")
+}
+
+fn weights(project: &Project, is: &str) -> String {
+    let weights = project.distribution.weights.iter();
+    let said = weights.map(|([a, b], weight)| format!("\"{a}-{b}\"{is}{weight}"));
+    said.collect::<Vec<String>>().join(", ")
+}
+
+/// Degrees of an angle, without the digits that the way through radians left.
+fn degrees(radians: f64) -> f64 {
+    (radians.to_degrees() * 1e9).round() / 1e9
+}
+
+/// A decimal number times a power of ten, exactly.
+fn shifted(decimal: &str, power: usize) -> String {
+    let (sign, digits) = decimal
+        .strip_prefix('-')
+        .map_or(("", decimal), |rest| ("-", rest));
+    let (whole, fraction) = digits.split_once('.').unwrap_or((digits, ""));
+    let padded = format!("{fraction:0<power$}");
+    let (moved, rest) = padded.split_at(power);
+    let whole = format!("{whole}{moved}");
+    let whole = whole.trim_start_matches('0');
+    let whole = if whole.is_empty() { "0" } else { whole };
+    let rest = rest.trim_end_matches('0');
+    let point = if rest.is_empty() { "" } else { "." };
+    format!("{sign}{whole}{point}{rest}")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::load;
+    use super::*;
+    use proptest::prelude::*;
+
+    #[test]
+    fn a_decimal_point_moves_without_rounding() {
+        for (decimal, power, moved) in [
+            ("0.1234567", 3, "123.4567"),
+            ("-0.05", 3, "-50"),
+            ("12", 3, "12000"),
+            ("-0.00012", 2, "-0.012"),
+            ("0", 3, "0"),
+            ("1.5", 0, "1.5"),
+        ] {
+            assert_eq!(shifted(decimal, power), moved);
+        }
+    }
+
+    fn file(units: &str, layout: &str) -> String {
+        format!(
+            "project = {{ format = 1, units = \"{units}\" }}\nsurface = {{ mesh = \"m.obj\" }}\n\
+             lamella = {{ width = \"30 mm\", thickness = \"3 mm\", material = \"limewood\" }}\n\
+             {layout}"
+        )
+    }
+
+    fn ron_file(units: &str, layout: &str) -> String {
+        format!(
+            "(project: (format: 1, units: {units}), surface: (mesh: \"m.obj\"), \
+             lamella: {{ \"width\": \"30 mm\", \"thickness\": \"3 mm\", \"material\": \"limewood\" }}, \
+             {layout})"
+        )
+    }
+
+    proptest! {
+        #[test]
+        fn what_is_written_is_read_back_to_the_last_bit(
+            x in -100.0..100.0_f64,
+            y in -1.0..1.0_f64,
+            z in -0.01..0.01_f64,
+            at in 0.01..0.99_f64,
+            units in prop::sample::select(vec!["mm", "cm", "m", "in", "ft"]),
+            ron in any::<bool>(),
+        ) {
+            let given = "[points]\na = [0, 0]\nb = [9, 0]\nc = [9, 9]\nd = { vertex = 7 }\n\
+                t = { on = [\"a\", \"b\"], at = 0.5 }\n\
+                [patches.p]\ncorners = [\"a\", \"b\", \"c\", \"d\"]\nmembers = { u = 3, v = 4 }\n\
+                alpha = 62.3\n[distribution]\nweights = { \"a-b\" = 2.5 }\n";
+            let loaded = load(&file("mm", given), Notation::Toml, "x");
+            let mut project = loaded.project.expect("a right file");
+            project.points[1].anchor = Anchor::Above([x, y]);
+            project.points[2].anchor = Anchor::Near([x, y, z]);
+            if let Anchor::On { at: share, .. } = &mut project.points[4].anchor {
+                *share = at;
+            }
+            let notation = if ron { Notation::Ron } else { Notation::Toml };
+            let text = layout_text(&project, notation, LengthText::of(Some(units)));
+            let text = if ron { ron_file(units, &text) } else { file(units, &text) };
+            let again = load(&text, notation, "x");
+            prop_assert!(again.project.is_some(), "{:?}\n{text}", again.diagnostics);
+            let again = again.project.unwrap();
+            prop_assert_eq!(&again.points, &project.points);
+            prop_assert_eq!(&again.distribution, &project.distribution);
+            prop_assert_eq!(&again.patches[0].corners, &project.patches[0].corners);
+            let alpha = again.patches[0].alpha.unwrap() - project.patches[0].alpha.unwrap();
+            prop_assert!(alpha.abs() < 1e-11);
+        }
+    }
+}

@@ -1,0 +1,96 @@
+//! A network of patches that is being split: anchors and patches, which `cut` changes.
+
+use crate::layout::Network;
+use crate::project::model::{Anchor, Lamella, Patch, Point};
+use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
+
+/// A patch of the draft.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct DraftPatch {
+    /// Its name.
+    pub name: String,
+    /// The patch of the project file that it is (a part of).
+    pub origin: String,
+    /// Names of its corners, in order.
+    pub corners: [String; 4],
+    /// Members of the u- and the v-family, boundary members included.
+    pub members: [u32; 2],
+    /// The user's planar angle, radians; none for parts.
+    pub alpha: Option<f64>,
+    /// Width of its lamellae, metres.
+    pub width: f64,
+}
+
+/// Points and patches.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+pub struct Draft {
+    /// Anchors.
+    pub points: Vec<Point>,
+    /// Patches.
+    pub patches: Vec<DraftPatch>,
+}
+
+impl Draft {
+    /// The network of its lines.
+    pub(super) fn network(&self) -> Network {
+        Network::new(&self.points, &self.as_patches())
+    }
+
+    /// Its patches as those of a project; lamellae have their width only.
+    pub fn as_patches(&self) -> Vec<Patch> {
+        let patch = |p: &DraftPatch| Patch {
+            name: p.name.clone(),
+            corners: p.corners.clone(),
+            u: Some(p.members[0]),
+            v: Some(p.members[1]),
+            alpha: p.alpha,
+            lamella: Lamella {
+                width: p.width,
+                thickness: 0.0,
+                material: String::new(),
+            },
+        };
+        self.patches.iter().map(patch).collect()
+    }
+
+    /// A name that no point has, beginning with a given one.
+    pub(super) fn new_name(&self, wanted: &str) -> String {
+        let taken: BTreeSet<&str> = self.points.iter().map(|p| p.name.as_str()).collect();
+        if !taken.contains(wanted) {
+            return wanted.to_owned();
+        }
+        (2..)
+            .map(|n| format!("{wanted}-{n}"))
+            .find(|name| !taken.contains(name.as_str()))
+            .unwrap_or_default()
+    }
+
+    /// Removes anchors that were added and that no patch has as a corner and no anchor stands on.
+    pub(super) fn sweep(&mut self, given: &BTreeSet<String>) {
+        loop {
+            let mut used: BTreeSet<&str> = given.iter().map(String::as_str).collect();
+            used.extend(
+                self.patches
+                    .iter()
+                    .flat_map(|p| &p.corners)
+                    .map(String::as_str),
+            );
+            for point in &self.points {
+                if let Anchor::On { edge, .. } = &point.anchor {
+                    used.extend(edge.iter().map(String::as_str));
+                }
+            }
+            let keep: Vec<bool> = self
+                .points
+                .iter()
+                .map(|p| used.contains(p.name.as_str()))
+                .collect();
+            if keep.iter().all(|k| *k) {
+                return;
+            }
+            let mut keep = keep.into_iter();
+            self.points.retain(|_| keep.next().unwrap_or(true));
+        }
+    }
+}
