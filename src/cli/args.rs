@@ -77,12 +77,12 @@ pub(super) enum Command {
     Check {
         #[command(flatten)]
         file: ProjectFile,
-        /// Also hold the project to the `plan.lock` beside it
-        #[arg(long)]
-        locked: bool,
         /// How the criteria are printed
         #[arg(long, value_enum, default_value_t)]
         format: CheckFormat,
+        /// Also hold the project to the `plan.lock` beside it
+        #[arg(long)]
+        locked: bool,
     },
     /// Split patches that cannot be built in one piece, and print the points and patches as text
     /// for the project file

@@ -61,6 +61,9 @@ impl From<GeodesicError> for RefineError {
 const EQUAL: f64 = 1e-11;
 /// First distance of trial shares from the interpolated one: the error of good tables.
 const FIRST: f64 = 1e-4;
+/// Shares that are tried around one, in parts of the reach: several distances from one source cost
+/// one solve, so a wide and a narrow bracket are asked for at once.
+const TRIALS: [f64; 9] = [-1.0, -0.3, -0.1, -0.01, 0.0, 0.01, 0.1, 0.3, 1.0];
 /// The exact share is sought this far from the interpolated one at most.
 const SEARCH: f64 = 0.05;
 /// Solves for one member; each gains several digits.
@@ -98,9 +101,10 @@ pub fn refine(
             Some(shares) => shares,
             None if reach > SEARCH => break,
             None => {
-                let around = [-1.0, 0.0, 1.0].map(|k| (guess + k * reach).clamp(0.0, 1.0));
+                let mut around = TRIALS.map(|k| (guess + k * reach).clamp(0.0, 1.0)).to_vec();
+                around.dedup();
                 reach *= 8.0;
-                around.to_vec()
+                around
             }
         };
         let targets: Vec<_> = shares.iter().map(|&x| to.at(mesh, x)).collect();
@@ -160,8 +164,7 @@ struct Search {
 
 impl Search {
     /// Shares to try next, once a change of sign is known: the zero of the chord over the change
-    /// closest to the guess, and two shares close around it that tighten the bracket. Several
-    /// distances from one source cost one solve.
+    /// closest to the guess, and shares closer and closer around it that tighten the bracket.
     fn next_shares(&self) -> Option<Vec<f64>> {
         let (a, b) = self
             .tried
@@ -177,15 +180,12 @@ impl Search {
         } else {
             0.5 * (a.0 + b.0)
         };
-        let close = 1e-3 * width;
-        let shares = [zero - close, zero, zero + close, 0.5 * (a.0 + b.0)];
-        Some(
-            shares
-                .into_iter()
-                .filter(|&x| inside(x))
-                .collect::<Vec<_>>(),
-        )
-        .filter(|shares| !shares.is_empty())
+        let close = TRIALS.map(|k| zero + 0.1 * k * width);
+        let shares = close.into_iter().chain([0.5 * (a.0 + b.0)]);
+        let mut shares: Vec<f64> = shares.filter(|&x| inside(x)).collect();
+        shares.sort_by(f64::total_cmp);
+        shares.dedup();
+        Some(shares).filter(|shares| !shares.is_empty())
     }
 
     fn far(&self, (a, b): &((f64, f64), (f64, f64))) -> f64 {
