@@ -21,14 +21,15 @@ fn a_project_is_held_to_its_lock() {
     let workshop = locked();
     workshop.egg(&["check", "--locked"]).expect(0);
     for (name, edit) in EDITS {
+        if name == "mesh-vertex-a-hundredth" {
+            // A lock is precise to as much; whether a digit of it changes is chance.
+            continue;
+        }
         edit(Project::bays()).write(&workshop, ".");
         let ran = workshop.egg(&["check", "--locked"]);
-        let same = matches!(name, "comment" | "order-of-tables" | "units");
-        let other = name == "project-renamed";
-        match (same, other) {
-            (true, _) => drop(ran.expect(0)),
-            (_, true) => assert!(ran.expect(1).err.contains("E0833"), "{name}"),
-            _ if name == "kerf" || name == "mesh-vertex-a-hundredth" => {}
+        match name {
+            "comment" | "order-of-tables" | "units" => drop(ran.expect(0)),
+            "project-renamed" => assert!(ran.expect(1).err.contains("E0833")),
             _ => assert!(ran.expect(1).err.contains("E0832"), "{name}"),
         }
     }
