@@ -268,10 +268,15 @@ pub fn coupon_files(sections: &[CouponSection], inputs: Inputs<'_>) -> Checked<V
     files.finish()
 }
 
+/// Drawings of the whole structure beside those of its patches.
+const WHOLE: [&str; 2] = ["from-above", "patches"];
+
 /// The flat layout of every patch.
 pub fn layout_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     let index = PlanIndex::new(plan);
-    let names = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
+    let patches = plan.patches.iter().map(|patch| patch.id.as_str());
+    let names = distinct_file_names(WHOLE.into_iter().chain(patches));
+    let names = names.into_iter().skip(WHOLE.len());
     let mut files = Files::default();
     for (patch, name) in plan.patches.iter().zip(names) {
         let members = plan.members.iter().filter(|m| m.patch == patch.id);

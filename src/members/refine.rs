@@ -9,6 +9,7 @@ use crate::cladding::{PlanarQuad, Point2};
 use crate::geodesic::{GeodesicError, Geodesics, Path, Reach};
 use crate::layout::Side;
 use crate::project::model::Family;
+use crate::surface::SurfacePoint;
 use serde::{Deserialize, Serialize};
 
 /// Which end of a member is given; the other one is sought.
@@ -61,8 +62,15 @@ impl From<GeodesicError> for RefineError {
 const EQUAL: f64 = 1e-11;
 /// First distance of trial shares from the interpolated one: the error of good tables.
 const FIRST: f64 = 1e-4;
+/// Shares that are tried around one, in parts of the reach: several distances from one source cost
+/// one solve, so a wide and a narrow bracket are asked for at once.
+const TRIALS: [f64; 9] = [-1.0, -0.3, -0.1, -0.01, 0.0, 0.01, 0.1, 0.3, 1.0];
 /// The exact share is sought this far from the interpolated one at most.
 const SEARCH: f64 = 0.05;
+/// Lengths along a branch agree to this share of the length when it is left for the exact solver.
+const CLOSE: f64 = 0.2 * EQUAL;
+/// Steps along a branch; each gains several digits.
+const MOST_STEPS: usize = 12;
 /// Solves for one member; each gains several digits.
 const MOST_SOLVES: usize = 24;
 
@@ -88,6 +96,26 @@ pub fn refine(
             .0
             .sqrt()
     };
+    let member = |other: f64, path: Path| {
+        let (start, end) = in_order(given, share, other);
+        Member {
+            family: between.family,
+            index: 0,
+            boundary: false,
+            start,
+            end,
+            path: if given == Given::Start {
+                path
+            } else {
+                path.reversed()
+            },
+            planar: planar(between, start, end),
+        }
+    };
+    let difference = |other: f64, length: f64| length - planar_length(other);
+    if let Some((other, path)) = follow(geodesics, &source, to, guess, &difference) {
+        return Ok(member(other, path));
+    }
     let mut search = Search {
         guess,
         tried: Vec::new(),
@@ -98,35 +126,19 @@ pub fn refine(
             Some(shares) => shares,
             None if reach > SEARCH => break,
             None => {
-                let around = [-1.0, 0.0, 1.0].map(|k| (guess + k * reach).clamp(0.0, 1.0));
+                let mut around = TRIALS.map(|k| (guess + k * reach).clamp(0.0, 1.0)).to_vec();
+                around.dedup();
                 reach *= 8.0;
-                around.to_vec()
+                around
             }
         };
         let targets: Vec<_> = shares.iter().map(|&x| to.at(mesh, x)).collect();
         let field = geodesics.field(&source, Reach::Targets(&targets))?;
         for (&other, target) in shares.iter().zip(&targets) {
-            let plane = planar_length(other);
-            let difference = field.distance(target)? - plane;
-            if difference.abs() <= EQUAL * plane {
-                let path = field.path_to(target)?;
-                let (start, end) = in_order(given, share, other);
-                let path = if given == Given::Start {
-                    path
-                } else {
-                    path.reversed()
-                };
-                let planar = planar(between, start, end);
-                let family = between.family;
-                return Ok(Member {
-                    family,
-                    index: 0,
-                    boundary: false,
-                    start,
-                    end,
-                    path,
-                    planar,
-                });
+            let length = field.distance(target)?;
+            let difference = difference(other, length);
+            if difference.abs() <= EQUAL * length {
+                return Ok(member(other, field.path_to(target)?));
             }
             search.tried.push((other, difference));
         }
@@ -142,6 +154,40 @@ pub fn refine(
         closest,
         difference,
     })
+}
+
+/// The share with equal lengths found along one branch of paths: the shortest path to the guess is
+/// followed by secant steps, and what is found is proved to be shortest.
+///
+/// `None` where the branch ends, is not the shortest where lengths are equal, or does not lead
+/// there in a few steps.
+fn follow(
+    geodesics: &Geodesics<'_>,
+    source: &SurfacePoint,
+    to: &Side,
+    guess: f64,
+    difference: &impl Fn(f64, f64) -> f64,
+) -> Option<(f64, Path)> {
+    let mesh = geodesics.mesh();
+    let first = geodesics.shortest(source, &to.at(mesh, guess)).ok()?;
+    let mut branch = geodesics.follow(&first)?;
+    let mut before = (guess, difference(guess, first.length));
+    let mut share = guess + if guess < 0.5 { FIRST } else { -FIRST };
+    for _ in 0..MOST_STEPS {
+        if !((share - guess).abs() <= SEARCH && (0.0..=1.0).contains(&share)) {
+            return None;
+        }
+        let length = branch.to(&to.at(mesh, share))?.length;
+        let here = (share, difference(share, length));
+        if here.1.abs() <= CLOSE * length {
+            let path = geodesics.shortest(source, &to.at(mesh, share)).ok()?;
+            let equal = difference(share, path.length).abs() <= EQUAL * path.length;
+            return equal.then_some((share, path));
+        }
+        share -= here.1 * (here.0 - before.0) / (here.1 - before.1);
+        before = here;
+    }
+    None
 }
 
 fn in_order(given: Given, share: f64, other: f64) -> (f64, f64) {
@@ -160,8 +206,7 @@ struct Search {
 
 impl Search {
     /// Shares to try next, once a change of sign is known: the zero of the chord over the change
-    /// closest to the guess, and two shares close around it that tighten the bracket. Several
-    /// distances from one source cost one solve.
+    /// closest to the guess, and shares closer and closer around it that tighten the bracket.
     fn next_shares(&self) -> Option<Vec<f64>> {
         let (a, b) = self
             .tried
@@ -177,15 +222,12 @@ impl Search {
         } else {
             0.5 * (a.0 + b.0)
         };
-        let close = 1e-3 * width;
-        let shares = [zero - close, zero, zero + close, 0.5 * (a.0 + b.0)];
-        Some(
-            shares
-                .into_iter()
-                .filter(|&x| inside(x))
-                .collect::<Vec<_>>(),
-        )
-        .filter(|shares| !shares.is_empty())
+        let close = TRIALS.map(|k| zero + 0.1 * k * width);
+        let shares = close.into_iter().chain([0.5 * (a.0 + b.0)]);
+        let mut shares: Vec<f64> = shares.filter(|&x| inside(x)).collect();
+        shares.sort_by(f64::total_cmp);
+        shares.dedup();
+        Some(shares).filter(|shares| !shares.is_empty())
     }
 
     fn far(&self, (a, b): &((f64, f64), (f64, f64))) -> f64 {

@@ -179,7 +179,7 @@ mod tests {
     fn file(units: &str, layout: &str) -> String {
         format!(
             "project = {{ format = 1, units = \"{units}\" }}\nsurface = {{ mesh = \"m.obj\" }}\n\
-             lamella = {{ width = \"3 mm\", thickness = \"0.5 mm\", material = \"limewood\" }}\n\
+             lamella = {{ width = \"30 mm\", thickness = \"3 mm\", material = \"limewood\" }}\n\
              {layout}"
         )
     }
@@ -187,7 +187,7 @@ mod tests {
     fn ron_file(units: &str, layout: &str) -> String {
         format!(
             "(project: (format: 1, units: {units}), surface: (mesh: \"m.obj\"), \
-             lamella: {{ \"width\": \"3 mm\", \"thickness\": \"0.5 mm\", \"material\": \"limewood\" }}, \
+             lamella: {{ \"width\": \"30 mm\", \"thickness\": \"3 mm\", \"material\": \"limewood\" }}, \
              {layout})"
         )
     }

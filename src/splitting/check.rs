@@ -184,10 +184,7 @@ fn violated(findings: &Findings<'_>, criteria: &Criteria, exchange: Option<bool>
     match (findings.clad, findings.angles) {
         (Some(_), _) => {}
         (None, None) => violated.push("no plan"),
-        (None, Some(angles)) => violated.push(match &angles.taken {
-            Ok(_) => "alpha",
-            Err(Infeasible { obstacle, .. }) => word(obstacle),
-        }),
+        (None, Some(angles)) => violated.extend(against(angles, criteria)),
     }
     if exchange == Some(false) {
         violated.push("diagonals");
@@ -195,15 +192,26 @@ fn violated(findings: &Findings<'_>, criteria: &Criteria, exchange: Option<bool>
     violated.into_iter().map(str::to_owned).collect()
 }
 
-/// What stands against a plan, in a word or two.
-fn word(obstacle: &Obstacle) -> &'static str {
+/// What stands against all plans of a patch, each in a word or two.
+fn against(angles: &AngleChoice, criteria: &Criteria) -> Vec<&'static str> {
+    let obstacle = match &angles.taken {
+        Ok(_) => return vec!["alpha"],
+        Err(Infeasible { obstacle, .. }) => obstacle,
+    };
     match obstacle {
-        Obstacle::NotConvex(_) | Obstacle::Flat(_) => "convexity",
-        Obstacle::Crowded(_) | Obstacle::Overlap(..) => "overlap",
-        Obstacle::NoCladding(Family::U, _) => "cladding u",
-        Obstacle::NoCladding(Family::V, _) => "cladding v",
-        Obstacle::Sharp(_) => "crossing angle",
-        Obstacle::Slope(Family::U, ..) => "slope u",
-        Obstacle::Slope(Family::V, ..) => "slope v",
+        Obstacle::NotConvex(_) | Obstacle::Flat(_) => vec!["convexity"],
+        Obstacle::Crowded(_) | Obstacle::Overlap(..) => vec!["overlap"],
+        Obstacle::Sharp(_) => vec!["crossing angle"],
+        Obstacle::NoCladding(family, _) => vec![["cladding u", "cladding v"][*family as usize]],
+        Obstacle::Slope(family, ..) => {
+            // The search stops at the first family that bunches; the survey knows both.
+            let surveyed = angles.survey.map(|s| s.violates(criteria.slope));
+            let mut bunching = surveyed.unwrap_or_default();
+            bunching[*family as usize] = true;
+            let names = ["slope u", "slope v"].into_iter().zip(bunching);
+            names
+                .filter_map(|(name, bunches)| bunches.then_some(name))
+                .collect()
+        }
     }
 }

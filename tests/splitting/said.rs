@@ -93,13 +93,18 @@ fn pasted(shop: &Workshop, name: &str) -> String {
     let start = text.find("[points]").expect("points");
     let end = text.find("[lamella]").expect("a lamella");
     let rest = text[end..].replace("workflow", "# workflow");
+    // A patch with lamellae of its own has parts with lamellae of their own.
+    let rest = rest.replace(
+        "[lamella.south]\nwidth = 0.12",
+        "[lamella.south-1]\nwidth = 0.12\n[lamella.south-2]\nwidth = 0.12",
+    );
     format!("{}{layout}\n{rest}", &text[..start])
 }
 
 #[test]
 fn what_split_prints_builds_the_plan_that_the_workflow_builds() {
     let shop = workshop();
-    for name in ["automatic.toml", "informed.toml"] {
+    for name in ["automatic.toml", "informed.toml", "junction.toml"] {
         shop.egg(&["build", name, "--out", "by-workflow"]).expect(0);
         shop.write("pasted.toml", pasted(&shop, name));
         shop.egg(&["build", "pasted.toml", "--out", "by-hand"])

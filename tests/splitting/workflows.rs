@@ -222,3 +222,21 @@ fn the_number_of_threads_does_not_matter() {
     };
     assert_eq!(with(1), with(3));
 }
+
+#[test]
+fn members_that_would_not_go_on_in_order_are_told() {
+    let (mesh, mut draft) = hill();
+    for point in &mut draft.points {
+        if let Anchor::Above([x, _]) = &mut point.anchor {
+            *x *= 0.5;
+        }
+    }
+    let surface = surface(&mesh);
+    let curvature = Curvature::estimate(&surface.mesh);
+    let weaves = |_: &Draft, clads: &[&Clad]| clads.is_empty();
+    let told = split(&surface, &curvature, &draft, &LIMITS, &weaves, &|| false);
+    let (found, told) = told.expect("a result");
+    assert_eq!(found, draft);
+    assert_eq!(codes(&told), ["W0351"]);
+    assert!(told[0].message.contains("go on in order"));
+}
