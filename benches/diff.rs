@@ -215,11 +215,11 @@ fn member(
 }
 
 fn square(name: &str, length: f64) -> PatchRecord {
-    let side = serde_json::json!({ "edges": [], "length": length });
+    let side = &serde_json::json!({ "edges": [], "length": length });
     let json = serde_json::json!({
         "id": name,
         "corners": ["a", "b", "c", "d"],
-        "sides": vec![side; 4],
+        "sides": [side, side, side, side],
         "alpha_surface": 90.0,
         "alpha_planar": 60.0,
         "planar_corners": [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]],

@@ -69,11 +69,11 @@ fn svg_and_dxf_of_a_drawing_are_the_same_to_a_micrometre() {
     // Drawings that were compared, pictures that were rendered.
     assert_eq!(
         script(&Job::desktop().write("desktop-pictures")).trim(),
-        "3 6"
+        "5 8"
     );
     assert_eq!(
         script(&Job::pavilion().write("pavilion-pictures")).trim(),
-        "4 8"
+        "16 20"
     );
 }
 

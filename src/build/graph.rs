@@ -262,12 +262,7 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
 
     let chapters = spliced(graph, project, &patches, chapters, told);
 
-    let drawing = || DrawingInput {
-        name: project.name.clone(),
-        hardware: project.hardware.clone(),
-        fabrication: project.fabrication.clone(),
-        materials: project.materials.clone(),
-    };
+    let drawing = || drawing_input(project);
     let workshops: Vec<Node<()>> = patches
         .iter()
         .zip(&chapters)
@@ -406,6 +401,22 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
     let tables = graph.add(&TABLE_FILES, "", drawing(), plan);
     drawing_origins(graph, tables);
     graph.publish(tables);
+}
+
+/// What drawings depend on. Prices are left out, so that an edit of one draws nothing again.
+fn drawing_input(project: &Project) -> DrawingInput {
+    let mut fabrication = project.fabrication.clone();
+    fabrication.stock.price = None;
+    let mut materials = project.materials.clone();
+    for material in &mut materials {
+        material.price = None;
+    }
+    DrawingInput {
+        name: project.name.clone(),
+        hardware: project.hardware.clone(),
+        fabrication,
+        materials,
+    }
 }
 
 /// What test pieces a project needs.

@@ -4,7 +4,7 @@ use super::declare::Instance;
 use super::engine::Engine;
 use super::event::Event;
 use super::publish::{Claim, Claimed, Publication, Publishing, inspect, manifest_stands};
-use super::request::Request;
+use super::request::{OutputCheck, Request};
 use super::session::{Conditions, Publisher, Session};
 use super::store::worktree::Outputs;
 use std::collections::BTreeSet;
@@ -18,6 +18,9 @@ impl Engine {
         conditions: &Conditions,
         observe: &mut dyn FnMut(Event<'_>),
     ) -> (Option<Outputs>, Publication) {
+        if request.outputs == OutputCheck::Ignore {
+            return (None, Publication::default());
+        }
         let directory = &self.settings.output;
         let old = &self.worktree.outputs;
         loop {

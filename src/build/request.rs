@@ -36,6 +36,8 @@ pub enum OutputCheck {
     Stamps,
     /// By contents.
     Contents,
+    /// Not at all: nothing is published, and nothing that was published is removed.
+    Ignore,
 }
 
 /// What happens to a file that is in the way and was not written by egg.

@@ -367,4 +367,6 @@ pub(super) enum SchemaOf {
     Project,
     /// The plan
     Plan,
+    /// What `egg diff --format json` writes
+    Difference,
 }

@@ -17,8 +17,14 @@ pub(super) struct Console {
     terminal: bool,
     /// Standard output holds a document, so that records for programs go to standard error.
     document: bool,
-    /// Of diagnostics only errors are told.
-    errors_only: bool,
+    told: Told,
+}
+
+/// Which diagnostics are told.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Told {
+    Everything,
+    ErrorsOnly,
 }
 
 impl Console {
@@ -31,7 +37,7 @@ impl Console {
             quiet: global.quiet,
             terminal,
             document: false,
-            errors_only: false,
+            told: Told::Everything,
         }
     }
 
@@ -46,7 +52,7 @@ impl Console {
     /// The same for a command that looks at a project without judging it.
     pub(super) fn with_errors_only(self) -> Self {
         Self {
-            errors_only: true,
+            told: Told::ErrorsOnly,
             ..self
         }
     }
@@ -84,9 +90,10 @@ impl Console {
 
     /// Tells diagnostics; `quiet` leaves errors only.
     pub(super) fn tell(self, diagnostics: &[Diagnostic], sources: &Sources<'_>) {
+        let wanted_all = !self.quiet && self.told == Told::Everything;
         let wanted: Vec<Diagnostic> = diagnostics
             .iter()
-            .filter(|d| !(self.quiet || self.errors_only) || d.severity == Severity::Error)
+            .filter(|d| wanted_all || d.severity == Severity::Error)
             .cloned()
             .collect();
         match self.format {

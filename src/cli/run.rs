@@ -9,7 +9,7 @@ use super::exit::Exit;
 use super::interrupt;
 use super::progress::Progress;
 use crate::build::graph::{Design, Extent, declare};
-use crate::build::{Built, Engine, Explanation, Request, Settings, SourceFile};
+use crate::build::{Built, Engine, Explanation, OutputCheck, Request, Settings, SourceFile};
 use crate::diagnostics::{Severity, without_allowed};
 use crate::project::model::Project;
 use std::path::PathBuf;
@@ -74,15 +74,15 @@ impl Job {
     pub(super) fn build(&mut self, request: &Request, extent: Extent) -> Result<Built, Exit> {
         let cancel = interrupt::token();
         let progress = Progress::new(self.console);
-        // A graph that ends with the plan publishes nothing, and files of an earlier build stay:
-        // asked for as a whole, it would seem that nothing makes them any more.
-        let partial = Request {
-            stages: vec!["plan".to_owned()],
+        // A graph that ends before the files has none to publish, and those of an earlier build
+        // stay.
+        let without_files = Request {
+            outputs: OutputCheck::Ignore,
             ..request.clone()
         };
         let request = match extent {
-            Extent::Plan if request.is_whole() => &partial,
-            _ => request,
+            Extent::Files => request,
+            Extent::Plan | Extent::Checks => &without_files,
         };
         let (opened, mesh) = (&self.opened, &self.mesh);
         let project = opened.project()?;

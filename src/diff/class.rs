@@ -1,9 +1,12 @@
 //! How much a change matters to the people who cut and assemble.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a change asks for, from nothing to new wood.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum Class {
     /// Below the tolerance: nobody can see it.

@@ -208,14 +208,14 @@ impl Comparison<'_> {
             };
             let mut judged = Judged::default();
             let mut fields = Vec::new();
-            if previous.kind != item.kind {
+            if previous.kind == item.kind {
+                let (was, is) = (&previous.fields, &item.fields);
+                fields = self.fields(&after.id, was, is, &mut judged);
+            } else {
                 judged.raise(item.presence, f64::INFINITY);
                 let kind = |kind| Field::text("kind", item.presence, kind);
                 let (was, is) = (kind(previous.kind), kind(item.kind));
                 fields.push(field_change(Some(&was), Some(&is), None, item.presence));
-            } else {
-                let (was, is) = (&previous.fields, &item.fields);
-                fields = self.fields(&after.id, was, is, &mut judged);
             }
             self.count_pair(after.kind, Some(item), judged.class, false);
             if let Some(class) = judged.class {
@@ -308,15 +308,12 @@ impl Comparison<'_> {
 
     fn count(&mut self, kind: Kind, item: Option<&Item>, action: Action) {
         if let Some(row) = self.row(kind, item) {
-            match action {
-                Action::Removed => {
-                    row.before += 1;
-                    row.removed += 1;
-                }
-                _ => {
-                    row.after += 1;
-                    row.added += 1;
-                }
+            if action == Action::Removed {
+                row.before += 1;
+                row.removed += 1;
+            } else {
+                row.after += 1;
+                row.added += 1;
             }
         }
     }

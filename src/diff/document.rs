@@ -8,13 +8,14 @@ use super::drawing::Drawing;
 use super::part::Kind;
 use super::quantity::Quantity;
 use super::tolerance::Tolerances;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Version of the format that this program writes and reads.
 pub const FORMAT: u32 = 1;
 
 /// The difference of two plans.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Difference {
     /// Version of this format.
     pub format_version: u32,
@@ -43,7 +44,7 @@ pub struct Difference {
 }
 
 /// One side.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Side {
     /// As the user named it: `HEAD~1`, `working tree`, `a/plan.ron`.
     pub label: String,
@@ -58,7 +59,7 @@ pub struct Side {
 }
 
 /// What a side was read from.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Basis {
     /// A plan: compiled, or a file.
@@ -69,7 +70,7 @@ pub enum Basis {
 }
 
 /// The whole in a few numbers.
-#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Summary {
     /// The worst class of all changes; none if there are none above noise.
     pub class: Option<Class>,
@@ -83,7 +84,7 @@ pub struct Summary {
 
 /// How many parts of a kind changed how. A part is counted once, except that a new name is
 /// counted beside.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
 pub struct Count {
     /// `lamellae`, `openings`, `bill rows`.
     pub what: String,
@@ -110,7 +111,7 @@ pub struct Count {
 }
 
 /// A sum over the structure.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Total {
     /// What is summed.
     pub what: String,
@@ -125,7 +126,7 @@ pub struct Total {
 }
 
 /// The largest hidden change of a quantity.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Hidden {
     /// What is measured.
     pub quantity: Quantity,
@@ -142,7 +143,7 @@ pub struct Hidden {
 }
 
 /// An edit of the project file.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Edit {
     /// Key path: `patches.west.members.u`.
     pub key: String,
@@ -155,7 +156,7 @@ pub struct Edit {
 }
 
 /// A point or patch under a new name.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 pub struct Rename {
     /// `patch` or `point`.
     pub what: String,
@@ -166,7 +167,9 @@ pub struct Rename {
 }
 
 /// What happened to a part.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum Action {
     /// It is gone.
@@ -192,7 +195,7 @@ impl Action {
 }
 
 /// A part that changed.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Change {
     /// What it is.
     pub kind: Kind,
@@ -213,7 +216,7 @@ pub struct Change {
 }
 
 /// A value that changed.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct FieldChange {
     /// Its name.
     pub name: String,
@@ -232,7 +235,7 @@ pub struct FieldChange {
 }
 
 /// A shown value.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]
 pub enum Reading {
     /// A number in the unit beside it.
@@ -242,7 +245,7 @@ pub enum Reading {
 }
 
 /// An item that changed.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ItemChange {
     /// `hole`, `notch`, `piece`, `crossing`, `part`.
     pub kind: String,
@@ -315,4 +318,18 @@ impl Difference {
             .iter()
             .filter(move |change| change.class == class)
     }
+}
+
+/// The JSON schema of a difference, draft-07.
+///
+/// # Panics
+/// Never: a schema is JSON.
+pub fn schema() -> String {
+    let settings = schemars::generate::SchemaSettings::draft07();
+    let schema = settings
+        .into_generator()
+        .into_root_schema_for::<Difference>();
+    let mut text = serde_json::to_string_pretty(&schema).expect("a schema is JSON");
+    text.push('\n');
+    text
 }

@@ -32,7 +32,7 @@ pub use class::Class;
 pub use convert::{dxf_as_text, plan_as_text};
 pub use document::{
     Action, Basis, Change, Count, Difference, Edit, FORMAT, FieldChange, Hidden, ItemChange,
-    ReadError, Reading, Rename, Side, Summary, Total,
+    ReadError, Reading, Rename, Side, Summary, Total, schema,
 };
 pub use drawing::{Drawing, Label, Move, Outline, Shape, State};
 pub use lock::{Lock, LockError, lock_text};
@@ -81,23 +81,21 @@ pub enum Pictures {
 
 /// Compares two sides. Where one is a lock, both are compared by what a lock holds.
 pub fn between(before: Content<'_>, after: Content<'_>, context: Context) -> Difference {
-    match (before, after) {
-        (Content::Plan(before), Content::Plan(after)) => between_plans(before, after, context),
-        _ => {
-            let parts = [before, after].map(|content| match content {
-                Content::Plan(plan) => Lock::of(plan).into_parts(),
-                Content::Lock(lock) => lock.parts().to_vec(),
-            });
-            let names = [before, after].map(|content| match content {
-                Content::Plan(plan) => (plan.name.clone(), Basis::Plan),
-                Content::Lock(lock) => (lock.project().to_owned(), Basis::Lock),
-            });
-            let renames = renames::Renames::default();
-            let compared = compare::compare(&parts[0], &parts[1], &renames, &context.tolerances);
-            let totals = totals::of_parts(&parts[0], &parts[1]);
-            bind(compared, &renames, totals, names, context)
-        }
+    if let (Content::Plan(before), Content::Plan(after)) = (before, after) {
+        return between_plans(before, after, context);
     }
+    let parts = [before, after].map(|content| match content {
+        Content::Plan(plan) => Lock::of(plan).into_parts(),
+        Content::Lock(lock) => lock.parts().to_vec(),
+    });
+    let names = [before, after].map(|content| match content {
+        Content::Plan(plan) => (plan.name.clone(), Basis::Plan),
+        Content::Lock(lock) => (lock.project().to_owned(), Basis::Lock),
+    });
+    let renames = renames::Renames::default();
+    let compared = compare::compare(&parts[0], &parts[1], &renames, &context.tolerances);
+    let totals = totals::of_parts(&parts[0], &parts[1]);
+    bind(compared, &renames, totals, names, context)
 }
 
 fn between_plans(before: &Plan, after: &Plan, context: Context) -> Difference {

@@ -1,10 +1,13 @@
 //! What is measured: its unit for people, its decimals, and the step below which two numbers are
 //! the same number.
 
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A kind of number. Plans hold SI units and degrees; differences show the units of a workshop.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantity {
     /// Of a part or a place, shown in millimetres.
@@ -74,9 +77,8 @@ impl Quantity {
     pub(super) fn resolution(self) -> f64 {
         match self {
             Self::Length | Self::LongLength | Self::Share | Self::Ratio => 2.5e-9,
-            Self::Count | Self::Amount | Self::Money | Self::Angle | Self::Mass => 2.5e-6,
-            Self::Area | Self::Volume => 2.5e-6,
             Self::Stress => 1.0,
+            _ => 2.5e-6,
         }
     }
 

@@ -15,6 +15,7 @@
 use crate::plan::{MemberRecord, PatchRecord, Plan};
 use crate::project::model::Family;
 use std::collections::{BTreeMap, BTreeSet};
+use std::fmt::Write;
 
 /// How far a renamed point or corner may have moved, as a share of the structure's size.
 const RADIUS: f64 = 0.02;
@@ -194,10 +195,9 @@ fn renumbered(before: &[MemberRecord], after: &[MemberRecord]) -> BTreeMap<u32, 
     }
     // The others all moved: those with the same number are compared, the rest came or went.
     for member in before {
-        if !numbers.contains_key(&member.index) {
-            let same = free.remove(&member.index).map(|other| other.index);
-            numbers.insert(member.index, same);
-        }
+        numbers
+            .entry(member.index)
+            .or_insert_with(|| free.remove(&member.index).map(|other| other.index));
     }
     numbers
 }
@@ -226,7 +226,7 @@ fn renumber(families: &[BTreeMap<u32, Option<u32>>; 2], label: &str) -> Option<S
         {
             Some(Some(new)) => {
                 out.push_str(&word[..1]);
-                out.push_str(&format!("{new:02}"));
+                let _ = write!(out, "{new:02}");
                 out.push_str(rest);
             }
             Some(None) => return None,

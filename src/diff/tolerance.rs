@@ -1,10 +1,11 @@
 //! Below which change two plans are the same to the people who build from them.
 
 use super::quantity::Quantity;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Tolerances per quantity. A change that is not above them is noise.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Tolerances {
     /// Lengths and places, millimetres. A laser repeats to a tenth; plywood moves more in a day.
     pub length: f64,

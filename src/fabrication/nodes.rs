@@ -39,8 +39,8 @@ impl Node<'_> {
         let foil = hardware.sticker.as_ref().map_or(0.0, |s| s.thickness);
         let stack = self.lamellae_thickness + 2.0 * foil * self.sliding as f64;
         let support = supports.iter().find(|support| {
-            let here = |crossing: &&CrossingRecord| support.crossings.contains(&crossing.id);
-            self.crossings.iter().any(|crossing| here(&crossing))
+            let mut here = self.crossings.iter();
+            here.any(|crossing| support.crossings.contains(&crossing.id))
         });
         match support {
             Some(support) => Fixing {

@@ -117,7 +117,7 @@ pub(crate) const EDITS: [Edit; 22] = [
             "length = 1200, width = 400, price = 18",
         )
     }),
-    ("project-renamed", |p| p.with("\"bays\"", "\"two bays\"")),
+    ("project-renamed", |p| p.with("\"bays\"", "\"two-bays\"")),
     ("sheet-size", |p| {
         p.with("length = 1200, width = 400", "length = 1500, width = 400")
     }),

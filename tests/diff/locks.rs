@@ -7,7 +7,7 @@ use egg::plan::from_ron;
 
 fn locked() -> Workshop {
     let workshop = Workshop::new();
-    Project::bays().write(&workshop, "");
+    Project::bays().write(&workshop, ".");
     workshop.egg(&["lock"]).expect(0);
     workshop
 }
@@ -21,15 +21,15 @@ fn a_project_is_held_to_its_lock() {
     let workshop = locked();
     workshop.egg(&["check", "--locked"]).expect(0);
     for (name, edit) in EDITS {
-        edit(Project::bays()).write(&workshop, "");
+        if name == "mesh-vertex-a-hundredth" {
+            // A lock is precise to as much; whether a digit of it changes is chance.
+            continue;
+        }
+        edit(Project::bays()).write(&workshop, ".");
         let ran = workshop.egg(&["check", "--locked"]);
-        // A cut's width and a price for a panel that had none are the two that no part has.
-        let same = matches!(name, "comment" | "order-of-tables" | "units");
-        let other = name == "project-renamed";
-        match (same, other) {
-            (true, _) => drop(ran.expect(0)),
-            (_, true) => assert!(ran.expect(1).err.contains("E0833"), "{name}"),
-            _ if name == "kerf" || name == "mesh-vertex-a-hundredth" => {}
+        match name {
+            "comment" | "order-of-tables" | "units" => drop(ran.expect(0)),
+            "project-renamed" => assert!(ran.expect(1).err.contains("E0833")),
             _ => assert!(ran.expect(1).err.contains("E0832"), "{name}"),
         }
     }
@@ -73,7 +73,7 @@ fn a_stale_lock_says_what_is_stale() {
     let workshop = locked();
     Project::bays()
         .with("width = 20", "width = 22")
-        .write(&workshop, "");
+        .write(&workshop, ".");
     let ran = workshop.egg(&["check", "--locked"]).expect(1);
     assert!(ran.err.contains("width 20 -> 22 mm"), "{}", ran.err);
     let ran = workshop
@@ -91,7 +91,7 @@ fn a_stale_lock_says_what_is_stale() {
 #[test]
 fn what_is_wrong_with_a_lock_is_told() {
     let workshop = Workshop::new();
-    Project::bays().write(&workshop, "");
+    Project::bays().write(&workshop, ".");
     let said = |code: &str| {
         let ran = workshop.egg(&["check", "--locked"]).expect(1);
         assert!(ran.err.contains(code), "{}", ran.err);

@@ -5,25 +5,48 @@ use crate::program::Workshop;
 use crate::python;
 use std::path::Path;
 
+/// Opens a page of a workshop and uses it; screenshots stay in the build folder, to be looked at.
+fn used(workshop: &Workshop, page: &str) {
+    let shots = Path::new(env!("CARGO_TARGET_TMPDIR"))
+        .join("diff-pages")
+        .join(page);
+    std::fs::create_dir_all(&shots).expect("a folder");
+    let python = python::venv(&["selenium==4.*"]);
+    let told = python::read(&python, "diff_page.py", &[&workshop.path(page), &shots]);
+    assert!(told.starts_with("ok "), "{told}");
+}
+
 #[test]
 fn a_browser_shows_rows_and_shapes_of_the_same_part() {
     let workshop = Workshop::new();
-    for name in ["member-count", "point-moved", "sheet-size"] {
+    for name in ["point-moved", "sheet-size"] {
         let (_, edit) = EDITS
             .into_iter()
             .find(|(edit, _)| *edit == name)
             .expect("an edit");
         tried(&workshop, edit);
-        std::fs::create_dir_all(workshop.path("pages")).expect("a folder");
-        let to = format!("pages/{name}.html");
-        diff(&workshop, &["--format", "html", "--to", &to]).expect(0);
-        let page = workshop.path(&to);
-        let shots = Path::new(env!("CARGO_TARGET_TMPDIR"))
-            .join("diff-pages")
-            .join(name);
-        std::fs::create_dir_all(&shots).expect("a folder");
-        let python = python::venv(&["selenium==4.*"]);
-        let told = python::read(&python, "diff_page.py", &[&page, &shots]);
-        assert!(told.starts_with("ok "), "{told}");
+        let page = format!("{name}.html");
+        diff(&workshop, &["--format", "html", "--to", &page]).expect(0);
+        used(&workshop, &page);
     }
+}
+
+#[test]
+fn a_browser_shows_what_another_member_does_to_the_pavilion() {
+    let workshop = Workshop::new();
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("projects/pavilion");
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("a file");
+    let (text, mesh) = (read("pavilion.toml"), read("pavilion.obj"));
+    let edited = text.replace("members = { u = 8, v = 10 }", "members = { u = 9, v = 10 }");
+    assert_ne!(text, edited);
+    for (side, text) in [("before", text), ("after", edited)] {
+        workshop.write(&format!("{side}/pavilion.toml"), text);
+        workshop.write(&format!("{side}/pavilion.obj"), &mesh);
+    }
+    let sides = ["before/pavilion.toml", "after/pavilion.toml"];
+    let page = ["--format", "html", "--to", "pavilion.html"];
+    workshop
+        .egg(&[&["diff"], &sides[..], &page].concat())
+        .expect(0);
+    used(&workshop, "pavilion.html");
 }

@@ -56,7 +56,7 @@ fn exit_codes_tell_what_was_asked_for() {
         .write(&workshop, "repo");
     repository.egg(&["diff", "--exit-code"]).expect(3);
     repository
-        .egg(&["diff", "--exit-code", "--tolerance", "3mm"])
+        .egg(&["diff", "--exit-code", "--tolerance", "5mm"])
         .expect(0);
     repository
         .egg(&["diff", "--tolerance", "3 parsecs"])

@@ -1,5 +1,6 @@
 //! The figures of a plan as a table.
 
+use egg::fabrication::summary::Summary;
 use egg::plan::{MemberRecord, NestingRecord, OpeningRecord, PatchRecord, Plan, SheetRecord};
 use std::fmt::Write;
 
@@ -244,6 +245,35 @@ fn parts(plan: &Plan, rows: &mut Vec<Row>) {
             ),
         ));
     }
+    let summary = Summary::new(plan);
+    rows.push((
+        "grid with its hardware".into(),
+        format!(
+            "{:.0} g, {:.2} kg/m² of the rectangle around it",
+            1e3 * summary.grid_mass(),
+            summary.per_rectangle()
+        ),
+    ));
+    if !plan.stickers.is_empty() {
+        rows.push((
+            "stickers".into(),
+            format!(
+                "{} on {} sheets of foil",
+                plan.stickers.len(),
+                plan.foils.len()
+            ),
+        ));
+    }
+    let tilts = plan.supports.iter().map(|support| support.tilt);
+    rows.push((
+        "supports".into(),
+        format!(
+            "{}, {:.1} kg in all, contact faces of up to {:.1}°",
+            plan.supports.len(),
+            summary.support_mass,
+            tilts.fold(0.0, f64::max)
+        ),
+    ));
     let sheets: Vec<String> = plan.sheets.iter().map(sheet).collect();
     let told: Vec<String> = match sheets.len() {
         0..=4 => sheets,

@@ -1,4 +1,4 @@
-//! The reference of the plan, and its schema.
+//! The reference of the plan, its schema, and that of the difference of two plans.
 
 use crate::current;
 use crate::tables::Schema;
@@ -7,6 +7,11 @@ use std::fmt::Write;
 #[test]
 fn the_schema_of_the_plan_is_current() {
     current::whole("schema/plan.schema.json", &egg::plan::schema());
+}
+
+#[test]
+fn the_schema_of_the_difference_is_current() {
+    current::whole("schema/difference.schema.json", &egg::diff::schema());
 }
 
 #[test]

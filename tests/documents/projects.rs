@@ -91,7 +91,9 @@ fn the_saddle_shows_its_figures() {
 
 #[test]
 fn the_sphere_cap_shows_its_figures() {
-    shown("sphere-cap");
+    let built = shown("sphere-cap");
+    let picture = "docs/pictures/setting-out.svg";
+    copied(&built, "supports/setting-out.svg", picture);
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod meshes;
 mod properties;
 mod python;
 mod reference;
+mod tables;
 
 use egg::geodesic::{Geodesics, Reach};
 use egg::surface::SurfacePoint;

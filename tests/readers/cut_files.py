@@ -16,6 +16,8 @@ from shapely.strtree import STRtree
 
 MM = 1000.0
 EPS = 1e-6
+# Plans are written to a nanometre; a place is the sum of up to five such numbers.
+PLACE = 2.5e-6
 CUT_LAYERS = {"GUIDE", "ENGRAVE", "SCORE", "CUT_INNER", "CUT_OUTER"}
 
 
@@ -222,7 +224,7 @@ def check_sheet(files, sheet, parts, settings):
         assert len(found) == len(expected), (name, len(found), len(expected))
         rounded = lambda values: tuple(round(v, 4) for v in values)
         for a, b in zip(sorted(found, key=rounded), sorted(expected, key=rounded)):
-            assert max(abs(p - q) for p, q in zip(a, b)) < 1e-6, (name, a, b)
+            assert max(abs(p - q) for p, q in zip(a, b)) < PLACE, (name, a, b)
     check_outlines(outer, outlines, pushes)
 
     # Openings lie strictly inside one outline; outlines keep their distance.

@@ -107,24 +107,23 @@ pub(in crate::build) struct SupportInput {
     pub(in crate::build) bolt: Bolt,
 }
 
+type SupportNeeds = (Node<Plan>, Vec<Node<Plan>>, Vec<Node<()>>);
+
 /// Supports.
-pub(in crate::build) const SUPPORTS: Stage<
-    SupportInput,
-    (Node<Plan>, Vec<Node<Plan>>, Vec<Node<()>>),
-    Vec<SupportRecord>,
-> = Stage {
-    name: "supports",
-    version: 1,
-    numerics: Numerics::Portable,
-    run: |input, (skeleton, chapters, _), _| {
-        let plan = bind("", std::iter::once(skeleton).chain(chapters));
-        let inputs = SupportInputs {
-            supports: &input.supports,
-            bolt: &input.bolt,
-        };
-        outcome(supports::records(&plan, inputs))
-    },
-};
+pub(in crate::build) const SUPPORTS: Stage<SupportInput, SupportNeeds, Vec<SupportRecord>> =
+    Stage {
+        name: "supports",
+        version: 1,
+        numerics: Numerics::Portable,
+        run: |input, (skeleton, chapters, _), _| {
+            let plan = bind("", std::iter::once(skeleton).chain(chapters));
+            let inputs = SupportInputs {
+                supports: &input.supports,
+                bolt: &input.bolt,
+            };
+            outcome(supports::records(&plan, inputs))
+        },
+    };
 
 /// What the bill depends on besides the plan.
 #[derive(Debug, Serialize)]

@@ -14,6 +14,15 @@ use crate::splitting::PatchCheck;
 use serde::Serialize;
 use std::path::Path;
 
+/// Whether the project is held to its lock.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(in crate::cli) enum Held {
+    /// It is not.
+    Free,
+    /// It has to give what `plan.lock` says.
+    Locked,
+}
+
 /// What `--format json` prints.
 #[derive(Serialize)]
 struct Document<'a> {
@@ -25,15 +34,6 @@ struct Document<'a> {
     /// Whether all patches are feasible and nothing else is wrong.
     feasible: bool,
     patches: &'a [PatchCheck],
-}
-
-/// Whether the project is held to its lock.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(in crate::cli) enum Held {
-    /// It is not.
-    Free,
-    /// It has to give what `plan.lock` says.
-    Locked,
 }
 
 pub(in crate::cli) fn run(
@@ -77,7 +77,7 @@ pub(in crate::cli) fn run(
             console.complain("the plan cannot be read back from the cache", None);
             return Ok(Exit::Usage);
         };
-        exit = lock::holds(console, job.opened.folder(), &plan)?;
+        exit = lock::holds(console, job.opened.folder(), &plan);
     }
     if exit == Exit::Done {
         console.status("Checked", &project.name);

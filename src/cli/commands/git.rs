@@ -42,15 +42,15 @@ fn install(console: Console, attributes: Attributes) -> Result<Exit, Exit> {
     let path = attributes_path(console, attributes)?;
     let text = std::fs::read_to_string(&path).unwrap_or_default();
     let mut lines = without_block(&text);
-    lines.push_str(&format!("{BEGIN}\n"));
+    lines.extend([BEGIN, "\n"]);
     for pattern in PATTERNS {
-        lines.push_str(&format!("{pattern} diff={DRIVER}"));
+        lines.extend([pattern, " diff=", DRIVER]);
         if attributes == Attributes::Shared {
             lines.push_str(" linguist-generated");
         }
         lines.push('\n');
     }
-    lines.push_str(&format!("{END}\n"));
+    lines.extend([END, "\n"]);
     write(console, &path, &lines)?;
     let what = format!(
         "`git diff` shows parts of plans and drawings ({})",

@@ -54,7 +54,7 @@ pub(in crate::cli) fn run(
 }
 
 /// Whether the lock in a folder is what a plan gives; if not, tells what differs.
-pub(in crate::cli) fn holds(console: Console, folder: &Path, plan: &Plan) -> Result<Exit, Exit> {
+pub(in crate::cli) fn holds(console: Console, folder: &Path, plan: &Plan) -> Exit {
     let path = folder.join(LOCK);
     let shown = path.display().to_string();
     let text = match std::fs::read_to_string(&path) {
@@ -62,16 +62,16 @@ pub(in crate::cli) fn holds(console: Console, folder: &Path, plan: &Plan) -> Res
         Err(error) if error.kind() == ErrorKind::NotFound => {
             let told = Diagnostic::error(codes::NO_LOCK, format!("there is no `{shown}`"));
             console.tell_plainly(&[told.help("write it with `egg lock` and commit it")]);
-            return Ok(Exit::Errors);
+            return Exit::Errors;
         }
         Err(error) => {
             console.complain(&format!("cannot read `{shown}`: {error}"), None);
-            return Ok(Exit::Usage);
+            return Exit::Usage;
         }
     };
     // A checkout may end its lines the way of another system.
     if text.replace("\r\n", "\n") == lock_text(plan) {
-        return Ok(Exit::Done);
+        return Exit::Done;
     }
     let told = match Lock::read(&text) {
         Err(error) => bad_lock(&shown, &error),
@@ -79,7 +79,7 @@ pub(in crate::cli) fn holds(console: Console, folder: &Path, plan: &Plan) -> Res
         Ok(lock) => stale(&shown, &lock, plan),
     };
     console.tell_plainly(&[told]);
-    Ok(Exit::Errors)
+    Exit::Errors
 }
 
 fn foreign(path: &Path, lock: &Lock, plan: &Plan) -> Diagnostic {

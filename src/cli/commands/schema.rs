@@ -7,5 +7,6 @@ pub(in crate::cli) fn run(of: SchemaOf) {
     out(&match of {
         SchemaOf::Project => crate::project::schema(),
         SchemaOf::Plan => crate::plan::schema(),
+        SchemaOf::Difference => crate::diff::schema(),
     });
 }

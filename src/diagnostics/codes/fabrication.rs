@@ -444,8 +444,9 @@ the spot, stack it from pieces, or support the structure where it is lower.",
         code: "W0767",
         name: "grid-below-ground",
         title: "the grid dips below the ground of its supports",
-        text: "The ground is taken as level, `height` below the lowest contact face (or as close \
-as the supports can be). Between the supports the surface hangs lower than that. Raise the \
-supports with `height` in `[supports]`, or support the structure at its lowest points.",
+        text: "The ground is taken as level, `height` below the lowest contact face. Between the \
+supports the surface hangs lower than that. Raise the supports with `height` in `[supports]`, or \
+leave it out: then the ground is below the lowest member. Or support the structure where it is \
+lowest.",
     },
 ];

@@ -15,13 +15,14 @@ use super::document::Change;
 use super::part::{Kind, by_number};
 use super::renames::Renames;
 use crate::plan::Plan;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
 
 pub use shape::{Label, Move, Outline, Shape, State};
 
 /// A picture.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Drawing {
     /// Part of a file name: `above`, `patch-west`, `sheet-01`.
     pub id: String,

@@ -1,10 +1,13 @@
 //! What a drawing is made of, and a canvas that fits around it.
 
 use super::Drawing;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// What a shape is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize)]
+#[derive(
+    Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize, Deserialize, JsonSchema,
+)]
 #[serde(rename_all = "lowercase")]
 pub enum State {
     /// On both sides and equal.
@@ -16,7 +19,7 @@ pub enum State {
 }
 
 /// A line or an outline, millimetres.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum Outline {
     /// Straight stretches from the first place to the last.
@@ -28,7 +31,7 @@ pub enum Outline {
 }
 
 /// A shape of a part.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Shape {
     /// Id of the part that it belongs to; empty for frames.
     pub part: String,
@@ -39,7 +42,7 @@ pub struct Shape {
 }
 
 /// Something that went from one place to another, millimetres.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Move {
     /// Id of the part.
     pub part: String,
@@ -52,7 +55,7 @@ pub struct Move {
 }
 
 /// A name, with its middle at a place.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct Label {
     /// Id of the part that it names; empty for other words.
     pub part: String,

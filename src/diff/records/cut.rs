@@ -65,6 +65,9 @@ fn piece(record: &PieceRecord) -> Item {
         };
         fields.push(Field::text("joint", Recut, kind));
         fields.push(Field::length("joint length", Recut, joint.length));
+        fields.push(Field::count("fingers", Recut, joint.fingers as usize));
+        fields.push(Field::count("screws", Recut, joint.screws.len()));
+        fields.push(Field::length("screw hole", Recut, joint.hole));
     }
     Item {
         kind: "piece",
@@ -82,18 +85,23 @@ pub(super) fn stickers(plan: &Plan) -> Vec<Part> {
                 Face::Top => "top",
                 Face::Bottom => "bottom",
             };
-            let [[from, right], [to, _], _, [lean, left]] = record.outline;
+            let side = |from: usize, to: usize| {
+                let [a, b] = [record.outline[from], record.outline[to]];
+                libm::hypot(b[0] - a[0], b[1] - a[1])
+            };
+            let [along, _] = record.outline[0];
             Part {
                 kind: Kind::Sticker,
                 id: record.id.clone(),
                 fields: vec![
-                    Field::length("length", Recut, to - from).headline(),
-                    Field::length("width", Recut, left - right).headline(),
-                    Field::length("lean", Recut, lean - from),
+                    Field::length("length", Recut, side(0, 1)).headline(),
+                    Field::length("width", Recut, side(1, 2)).headline(),
                     Field::length("slot", Recut, record.slot[1] - record.slot[0]).headline(),
-                    Field::length("slot from the edge", Recut, record.slot[0] - from),
+                    Field::length("slot from the corner", Recut, record.slot[0] - along),
+                    Field::length("diagonal 1-3", Recut, side(0, 2)),
+                    Field::length("diagonal 2-4", Recut, side(1, 3)),
                     Field::length("slot width", Recut, record.diameter),
-                    Field::length("from", Reassemble, from),
+                    Field::length("from", Reassemble, along),
                     Field::text("face", Reassemble, face),
                     Field::id("lamella", Reassemble, &*record.lamella),
                     Field::count("number", Reassemble, record.number as usize).headline(),
@@ -114,29 +122,32 @@ pub(super) fn supports(plan: &Plan) -> Vec<Part> {
                 SupportKind::Printed => "printed",
                 SupportKind::WedgeOnBlock => "wedge-on-block",
             };
-            let mut fields = vec![
-                Field::text("kind", Recut, kind).headline(),
-                Field::length("height", Recut, record.height).headline(),
-                Field::number("tilt", Recut, record.tilt, Quantity::Angle).headline(),
-                Field::number("azimuth", Reassemble, record.azimuth, Quantity::Angle),
-                Field::length("bolt", Reassemble, record.bolt_length),
-                Field::place("position", Reassemble, record.position),
-                Field::id("at", Reassemble, &*record.at),
-            ];
-            if let Some(body) = &record.body {
-                fields.push(Field::length("pad", Recut, body.pad));
-                fields.push(Field::length("foot", Recut, body.foot));
-                fields.push(Field::length("bore", Recut, body.bore));
-                fields.push(Field::length("depth of the bore", Recut, body.depth));
-                fields.push(Field::length("block", Recut, body.block));
-            }
-            Part {
+            let body = record.body.as_ref().map(|body| {
+                [
+                    Field::length("pad", Recut, body.pad),
+                    Field::length("foot", Recut, body.foot),
+                    Field::length("bore", Recut, body.bore),
+                    Field::length("depth of the bore", Recut, body.depth),
+                    Field::length("block", Recut, body.block),
+                ]
+            });
+            let mut part = Part {
                 kind: Kind::Support,
                 id: record.id.clone(),
-                fields,
+                fields: vec![
+                    Field::text("kind", Recut, kind).headline(),
+                    Field::length("height", Recut, record.height).headline(),
+                    Field::number("tilt", Recut, record.tilt, Quantity::Angle).headline(),
+                    Field::number("azimuth", Reassemble, record.azimuth, Quantity::Angle),
+                    Field::length("bolt", Reassemble, record.bolt_length),
+                    Field::place("position", Reassemble, record.position),
+                    Field::id("at", Reassemble, &*record.at),
+                ],
                 items: Vec::new(),
                 presence: Recut,
-            }
+            };
+            part.fields.extend(body.into_iter().flatten());
+            part
         })
         .collect()
 }

@@ -1,4 +1,4 @@
-//! Panels and where parts lie on them.
+//! Panels and sheets of foil, and where parts lie on them.
 
 use crate::diff::class::Class::Redraw;
 use crate::diff::part::{Field, Item, Kind, Part};
@@ -8,6 +8,7 @@ use crate::plan::Plan;
 pub(super) fn sheets(plan: &Plan) -> Vec<Part> {
     plan.sheets
         .iter()
+        .chain(&plan.foils)
         .map(|record| Part {
             kind: Kind::Sheet,
             id: record.id.clone(),
@@ -16,6 +17,8 @@ pub(super) fn sheets(plan: &Plan) -> Vec<Part> {
                 Field::length("thickness", Redraw, record.thickness).headline(),
                 Field::length("length", Redraw, record.length).headline(),
                 Field::length("width", Redraw, record.width).headline(),
+                Field::length("kerf", Redraw, record.kerf),
+                Field::count("windows", Redraw, record.windows.len()),
                 Field::number("used", Redraw, record.yield_share, Quantity::Share),
             ],
             items: record

@@ -3,7 +3,7 @@
 //! `j` and `k` go through the rows.
 
 use super::picture;
-use super::words::{hidden, phrases, project, ranges, side, total, verdict};
+use super::words::{Form, hidden, phrases, project, ranges, side, total, verdict};
 use crate::diff::class::Class;
 use crate::diff::document::{Change, Difference};
 use crate::fabrication::svg::number;
@@ -167,7 +167,7 @@ fn row(page: &mut String, change: &Change) {
          {class}</td><td>{} <b>{id}</b></td><td>{}</td><td>{}</td></tr>",
         change.action.mark(),
         change.kind.word(),
-        escaped(&phrases(change, ARROW).join("; ")),
+        escaped(&phrases(change, ARROW, Form::Full).join("; ")),
         escaped(&ranges(&change.used_on))
     );
 }

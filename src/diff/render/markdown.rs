@@ -183,7 +183,7 @@ fn section(page: &mut Page, difference: &Difference, class: Class) {
     let rest = &all[open..];
     let parts: usize = rest.iter().map(|row| row.ids.len()).sum();
     let head = if open > 0 {
-        format!("{} more to cut", parts)
+        format!("{parts} more to cut")
     } else {
         head
     };

@@ -5,7 +5,7 @@ use crate::diff::document::{
     Action, Change, Difference, FieldChange, Hidden, ItemChange, Reading, Side, Total,
 };
 use crate::diff::part::{Kind, by_number};
-use crate::diff::quantity::number;
+use crate::diff::quantity::{Quantity, number};
 use std::collections::BTreeMap;
 
 /// Changes that are said in the same words.
@@ -18,24 +18,42 @@ pub(super) struct Row {
     pub(super) used_on: Vec<String>,
 }
 
-/// Changes as rows; equal ones are one row, where the first of them stood.
+/// Fewest changes that are told together by what they have in common.
+const ALIKE: usize = 3;
+
+/// Changes as rows. Equal changes are one row, where the first of them stood; so are several that
+/// differ in where they start only: `length +4 mm` for all instead of a row for each length.
 pub(super) fn rows<'a>(changes: impl Iterator<Item = &'a Change>, arrow: &str) -> Vec<Row> {
+    let changes: Vec<&Change> = changes.collect();
+    let key =
+        |change: &Change, form: Form| (change.kind, change.action, phrases(change, arrow, form));
+    let mut alike: BTreeMap<(Kind, Action, Vec<String>), usize> = BTreeMap::new();
+    for change in &changes {
+        *alike.entry(key(change, Form::Deltas)).or_default() += 1;
+    }
     let mut rows: Vec<Row> = Vec::new();
     let mut places: BTreeMap<(Kind, Action, Vec<String>), usize> = BTreeMap::new();
     for change in changes {
-        let what = phrases(change, arrow);
-        let key = (change.kind, change.action, what.clone());
-        let place = *places.entry(key).or_insert(rows.len());
+        let (full, short) = (key(change, Form::Full), key(change, Form::Deltas));
+        let key = if alike[&short] >= ALIKE {
+            short
+        } else {
+            full.clone()
+        };
+        let place = *places.entry(key.clone()).or_insert(rows.len());
         if place == rows.len() {
             rows.push(Row {
                 kind: change.kind,
                 action: change.action,
                 ids: Vec::new(),
-                what,
+                what: full.2.clone(),
                 used_on: Vec::new(),
             });
         }
         let row = &mut rows[place];
+        if row.what != full.2 {
+            row.what = key.2;
+        }
         row.ids.push(change.id.clone());
         for sheet in &change.used_on {
             if !row.used_on.contains(sheet) {
@@ -47,13 +65,22 @@ pub(super) fn rows<'a>(changes: impl Iterator<Item = &'a Change>, arrow: &str) -
     rows
 }
 
+/// How much of a changed number is told.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(super) enum Form {
+    /// Before, after, and by how much.
+    Full,
+    /// By how much.
+    Deltas,
+}
+
 /// What happened to a part, in short phrases for a terminal.
 pub fn phrases_of(change: &Change) -> Vec<String> {
-    phrases(change, "->")
+    phrases(change, "->", Form::Full)
 }
 
 /// What happened to a part, in short phrases.
-pub(super) fn phrases(change: &Change, arrow: &str) -> Vec<String> {
+pub(super) fn phrases(change: &Change, arrow: &str, form: Form) -> Vec<String> {
     let mut said = Vec::new();
     match change.action {
         Action::Added => {
@@ -77,7 +104,7 @@ pub(super) fn phrases(change: &Change, arrow: &str) -> Vec<String> {
             .fields
             .iter()
             .filter(|field| !is_move(field))
-            .map(|field| field_phrase(field, arrow)),
+            .map(|field| field_phrase(field, arrow, form)),
     );
     let farthest = moved.max_by(|a, b| magnitude(a).total_cmp(&magnitude(b)));
     if let Some(field) = farthest {
@@ -118,13 +145,16 @@ fn shown(reading: &Reading, field: &FieldChange) -> String {
 }
 
 /// `length 1180.2 -> 1183.4 mm (+3.2)`.
-fn field_phrase(field: &FieldChange, arrow: &str) -> String {
+fn field_phrase(field: &FieldChange, arrow: &str, form: Form) -> String {
     let name = &field.name;
     match (&field.before, &field.after) {
         (Some(Reading::Number(before)), Some(Reading::Number(after))) => {
             let plain = field.quantity.map_or(String::new(), |q| number(*before, q));
             let delta = field.delta.unwrap_or(after - before);
             let delta = signed(delta, field);
+            if form == Form::Deltas && field.quantity == Some(Quantity::Length) {
+                return format!("{name} {delta} {}", field.unit);
+            }
             let after = value_with_unit(*after, field);
             format!("{name} {plain} {arrow} {after} ({delta})")
         }
@@ -175,7 +205,10 @@ fn item_phrases(items: &[ItemChange], arrow: &str) -> Vec<String> {
         }
     }
     for ((kind, _), list) in words {
-        let mut each: Vec<String> = list.iter().map(|(_, f)| field_phrase(f, arrow)).collect();
+        let mut each: Vec<String> = list
+            .iter()
+            .map(|(_, f)| field_phrase(f, arrow, Form::Full))
+            .collect();
         each.dedup();
         let count = several(list.len(), kind);
         match each.as_slice() {
@@ -267,9 +300,11 @@ pub(super) fn ranges(ids: &[String]) -> String {
 /// The whole in one sentence.
 pub(super) fn verdict(difference: &Difference) -> String {
     let Some(class) = difference.summary.class else {
-        return match difference.summary.hidden.is_empty() {
-            true => "no part changes".to_owned(),
-            false => format!("no part changes above tolerance; {}", hidden(difference)),
+        let hidden = hidden(difference);
+        return if hidden.is_empty() {
+            "no part changes".to_owned()
+        } else {
+            format!("no part changes above tolerance; {hidden}")
         };
     };
     match class {
@@ -334,9 +369,10 @@ pub(super) fn hidden(difference: &Difference) -> String {
         format!("{} ({} of {})", delta.trim(), hidden.field, hidden.part)
     };
     let list: Vec<String> = difference.summary.hidden.iter().map(say).collect();
-    match list.is_empty() {
-        true => String::new(),
-        false => format!("largest drift hidden: {}", list.join(", ")),
+    if list.is_empty() {
+        String::new()
+    } else {
+        format!("largest drift hidden: {}", list.join(", "))
     }
 }
 

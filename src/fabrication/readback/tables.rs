@@ -36,6 +36,7 @@ pub(super) fn check(
             }
         }
     }
+    check_hardware(plan, folder, agreement, findings);
     if let Some(rows) = bill {
         agreement.rows += rows.len();
         let ids = plan.bill_of_materials.iter().map(|row| row.id.as_str());
@@ -43,6 +44,57 @@ pub(super) fn check(
         for item in &plan.bill_of_materials {
             if let Some(row) = rows.get(&item.id) {
                 number("bom.csv", &item.id, row, "qty", item.quantity, findings);
+            }
+        }
+    }
+}
+
+/// Stickers and supports, where the plan has some.
+fn check_hardware(
+    plan: &Plan,
+    folder: &Folder,
+    agreement: &mut Agreement,
+    findings: &mut Findings,
+) {
+    if !plan.stickers.is_empty()
+        && let Some(rows) = read(folder, "stickers.csv", "id", findings)
+    {
+        agreement.rows += rows.len();
+        let ids = plan.stickers.iter().map(|sticker| sticker.id.as_str());
+        same_rows("stickers.csv", ids, &rows, findings);
+        for sticker in &plan.stickers {
+            let Some(row) = rows.get(&sticker.id) else {
+                continue;
+            };
+            for (column, value) in [
+                ("number", f64::from(sticker.number)),
+                ("slot_from_mm", sticker.slot[0] * MM),
+                ("slot_to_mm", sticker.slot[1] * MM),
+                ("slot_width_mm", sticker.diameter * MM),
+            ] {
+                number("stickers.csv", &sticker.id, row, column, value, findings);
+            }
+        }
+    }
+    if !plan.supports.is_empty()
+        && let Some(rows) = read(folder, "supports.csv", "id", findings)
+    {
+        agreement.rows += rows.len();
+        let ids = plan.supports.iter().map(|support| support.id.as_str());
+        same_rows("supports.csv", ids, &rows, findings);
+        for support in &plan.supports {
+            let Some(row) = rows.get(&support.id) else {
+                continue;
+            };
+            let [x, y, z] = support.position;
+            for (column, value) in [
+                ("x_m", x),
+                ("y_m", y),
+                ("z_m", z),
+                ("tilt_deg", support.tilt),
+                ("azimuth_deg", support.azimuth),
+            ] {
+                number("supports.csv", &support.id, row, column, value, findings);
             }
         }
     }

@@ -8,7 +8,8 @@
 //!
 //! - the square of the lamella's curvature there, and half that of its twist, both in shares of
 //!   the largest on the lamella ([`curve`]): bending stress grows with curvature;
-//! - nearness to an opening, up to twice the width or 30 mm;
+//! - ten times the square of its nearness to an opening, from the middle of the joint up to twice
+//!   the width or 30 mm;
 //! - nearness in space to the joints of other lamellae, up to one and a half cells of the grid:
 //!   two joints side by side make a hinge. Where patches meet, the boundary lamellae of both are
 //!   staggered in this way as well.
@@ -77,7 +78,9 @@ const NEAR: f64 = 0.03;
 const STAGGER_IN_CELLS: f64 = 1.5;
 /// Least distance of two joints of a lamella in widths.
 const APART_IN_WIDTHS: f64 = 4.0;
-/// What twist counts of what bending does, and joints side by side.
+/// What nearness to an opening counts against the largest bending: as good as a ban, where there
+/// is another place. What twist and joints side by side count.
+const CROSSING: f64 = 10.0;
 const TWIST: f64 = 0.5;
 const STAGGER: f64 = 2.0;
 
@@ -216,9 +219,9 @@ impl<'a> Site<'a> {
         self.curve.at(self.on_member(x))
     }
 
-    /// Distance of a joint from the nearest opening.
+    /// Distance of the middle of a joint from the nearest opening.
     fn clear(&self, x: f64) -> f64 {
-        let gap = |[from, to]: &[f64; 2]| (from - (x + self.half)).max((x - self.half) - to);
+        let gap = |[from, to]: &[f64; 2]| (from - x).max(x - to);
         self.openings.iter().map(gap).fold(f64::INFINITY, f64::min)
     }
 
@@ -231,7 +234,7 @@ impl<'a> Site<'a> {
         let s = self.on_member(x);
         let bend = square(self.curve.bend(s, self.chord) / self.bend_max);
         let twist = TWIST * square(self.curve.twist(s) / self.twist_max);
-        let near = square((1.0 - self.clear(x) / self.near).max(0.0));
+        let near = CROSSING * square((1.0 - self.clear(x) / self.near).max(0.0));
         let place = self.place(x);
         let beside: f64 = joints
             .iter()
@@ -348,11 +351,11 @@ fn near_crossings(close: Vec<Close<'_>>) -> Option<Diagnostic> {
         .min_by(|a, b| a.clear.total_cmp(&b.clear))?;
     let others = match count {
         1 => String::new(),
-        2 => ", and another joint is close as well".to_owned(),
-        n => format!(", and {} other joints are close as well", n - 1),
+        2 => ", and another is close as well".to_owned(),
+        n => format!(", and {} others are close as well", n - 1),
     };
     let message = format!(
-        "a joint of `{}` is {:.1} mm from an opening{others}",
+        "the middle of a joint of `{}` is {:.1} mm from an opening{others}",
         worst.lamella,
         worst.clear * MM
     );

@@ -30,7 +30,7 @@ use super::hardware::Series;
 use super::units::MM;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Severity, Warned};
-use crate::plan::{Plan, SupportBody, SupportRecord};
+use crate::plan::{MemberRecord, Plan, SupportBody, SupportRecord};
 use crate::project::model::{Bolt, SupportKind, Supports};
 use places::{Place, places};
 
@@ -65,6 +65,9 @@ const LOW_EDGE: f64 = 30e-3;
 const COVER: f64 = 20e-3;
 /// Height of the thin edge of a wedge, metres.
 pub const WEDGE_EDGE: f64 = 5e-3;
+
+/// Between the ground and the lowest member where the project says no height, metres.
+const CLEAR: f64 = 20e-3;
 
 /// Steeper contact faces need a bracket, not a foot, degrees.
 pub const STEEPEST: f64 = 70.0;
@@ -114,7 +117,11 @@ pub fn records(plan: &Plan, inputs: SupportInputs<'_>) -> Checked<Vec<SupportRec
         }
     }
     let kind = inputs.supports.kind;
-    let ground = ground(&faces, kind, inputs.supports.height, &mut told);
+    let height = match inputs.supports.height {
+        0.0 => Height::Least(lowest_member(plan).map_or(f64::INFINITY, |(_, z)| z - CLEAR)),
+        height => Height::Said(height),
+    };
+    let ground = ground(&faces, kind, height, &mut told);
     let records: Vec<SupportRecord> = faces
         .iter()
         .map(|face| record(face, kind, ground))
@@ -220,8 +227,22 @@ pub fn thinnest_sheet(plan: &Plan) -> Option<f64> {
     thickness.min_by(f64::total_cmp)
 }
 
+/// How high the contact faces are above the ground.
+#[derive(Clone, Copy)]
+enum Height {
+    /// As low as supports can be, the ground not above this.
+    Least(f64),
+    /// The lowest of them, as the project says.
+    Said(f64),
+}
+
 /// Height of the ground, and what is too low for it.
-fn ground(faces: &[Face<'_>], kind: SupportKind, height: f64, told: &mut Vec<Diagnostic>) -> f64 {
+fn ground(
+    faces: &[Face<'_>],
+    kind: SupportKind,
+    height: Height,
+    told: &mut Vec<Diagnostic>,
+) -> f64 {
     let feet = || faces.iter().filter(|face| !face.is_steep());
     let lowest = |clear: &dyn Fn(&Face<'_>) -> f64| {
         feet()
@@ -232,9 +253,10 @@ fn ground(faces: &[Face<'_>], kind: SupportKind, height: f64, told: &mut Vec<Dia
     if !deepest.is_finite() {
         return 0.0;
     }
-    if height == 0.0 {
-        return deepest;
-    }
+    let height = match height {
+        Height::Least(free) => return deepest.min(free),
+        Height::Said(height) => height,
+    };
     let ground = lowest(&|_| height);
     if ground > deepest + 1e-9 {
         let worst = feet().min_by(|a, b| {
@@ -429,16 +451,25 @@ fn warnings(records: &[SupportRecord]) -> Vec<Diagnostic> {
     told
 }
 
+/// The lowest member and how high its lowest point is.
+fn lowest_member(plan: &Plan) -> Option<(&MemberRecord, f64)> {
+    let points = |member: &'_ MemberRecord| -> Option<f64> {
+        let heights = member.polyline.iter().map(|point| point[2]);
+        heights.min_by(f64::total_cmp)
+    };
+    let members = plan.members.iter();
+    members
+        .filter_map(|member| Some((member, points(member)?)))
+        .min_by(|a, b| a.1.total_cmp(&b.1))
+}
+
 /// The lowest point of the members if it lies below the ground.
 fn below_ground(plan: &Plan, ground: f64, records: &[SupportRecord]) -> Option<Diagnostic> {
     if records.iter().all(|record| record.body.is_none()) {
         return None;
     }
-    let (member, depth) = plan
-        .members
-        .iter()
-        .flat_map(|member| member.polyline.iter().map(move |p| (member, ground - p[2])))
-        .max_by(|a, b| a.1.total_cmp(&b.1))?;
+    let (member, lowest) = lowest_member(plan)?;
+    let depth = ground - lowest;
     (depth > 1e-9).then(|| {
         Diagnostic::warning(
             codes::GRID_BELOW_GROUND,

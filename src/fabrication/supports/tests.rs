@@ -222,7 +222,12 @@ fn what_cannot_stand_is_told() {
     assert_eq!(codes(&["a"], SupportKind::ConcreteBlock, 0.6), ["W0766"]);
     // Supports that stand half a metre higher than the lowest member.
     assert_eq!(codes(&["c", "a"], SupportKind::Printed, 0.0), ["W0764"]);
-    plan.members[0].polyline = vec![[0.0, 0.0, -0.4]];
-    let told = made(&plan, &listed(&["a"], SupportKind::Printed, 0.0)).expect("made");
+    plan.members[0].polyline = vec![[0.0, 0.0, -0.12]];
+    let supports = |height| made(&plan, &listed(&["a"], SupportKind::Printed, height));
+    let told = supports(0.05).expect("made");
     assert_eq!(told.warnings[0].code, codes::GRID_BELOW_GROUND);
+    // Without a height the ground goes below the grid.
+    let lowered = supports(0.0).expect("made");
+    assert_eq!(lowered.warnings, []);
+    assert!((lowered.value[0].height - (0.12 + CLEAR - 0.003)).abs() < 1e-12);
 }

@@ -54,9 +54,9 @@ pub(super) fn hardware(
     })
 }
 
-/// Length and width of a sheet of foil where the project says none, metres: what knife plotters
-/// of the desk take.
-const FOIL_SHEET: [f64; 2] = [0.3, 0.2];
+/// Length and width of a sheet of foil where the project says none, metres: the longer mat of
+/// knife plotters for the desk.
+const FOIL_SHEET: [f64; 2] = [0.6, 0.3];
 
 fn sticker(said: &StickerFile) -> Option<Sticker> {
     let sheet = match &said.sheet {

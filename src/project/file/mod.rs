@@ -256,7 +256,7 @@ pub(crate) struct SupportsSection {
     #[schemars(extend("default" = "printed"))]
     pub(crate) kind: Option<Field<Pick<SupportKind>>>,
     /// Height of the lowest contact face above the ground, a length. Default 0: as low as the
-    /// supports can be.
+    /// supports can be with the grid clear of the ground.
     #[schemars(extend("default" = 0))]
     pub(crate) height: Option<Field<Length<Gap>>>,
 }
@@ -295,8 +295,8 @@ pub(crate) struct StickerFile {
     /// Margin around the contact area, a length. Default `"2 mm"`.
     #[schemars(extend("default" = "2 mm"))]
     pub(crate) margin: Option<Field<Length<Gap>>>,
-    /// The sheet of foil that stickers are cut from. Default 300 mm x 200 mm.
-    pub(crate) sheet: Option<Field<FoilSheetFile>>,
+    /// The sheet of foil that stickers are cut from. Default 600 mm x 300 mm.
+    pub(crate) sheet: Option<Field<FoilFile>>,
 }
 
 section!(StickerFile {
@@ -309,14 +309,14 @@ section!(StickerFile {
 /// A sheet of foil.
 #[derive(Debug, Clone, JsonSchema)]
 #[schemars(deny_unknown_fields)]
-pub(crate) struct FoilSheetFile {
+pub(crate) struct FoilFile {
     /// A length.
     pub(crate) length: Field<Length<Extent>>,
     /// A length.
     pub(crate) width: Field<Length<Extent>>,
 }
 
-section!(FoilSheetFile { length, width });
+section!(FoilFile { length, width });
 
 /// Stock, machine and drawing conventions.
 #[derive(Debug, Clone, JsonSchema)]

@@ -31,13 +31,12 @@ pub(in crate::cli) fn run(
             Exit::Usage
         })?;
     }
-    let (difference, complete) = match saved(console, &arguments.sides)? {
-        Some(difference) => (difference, true),
-        None => {
-            let sides = Sides::parse(console, &arguments.sides)?;
-            let [before, after] = sides.load(console, global)?;
-            compare(console, arguments, tolerances, &before, &after)?
-        }
+    let (difference, complete) = if let Some(difference) = saved(console, &arguments.sides)? {
+        (difference, true)
+    } else {
+        let sides = Sides::parse(console, &arguments.sides)?;
+        let [before, after] = sides.load(console, global)?;
+        compare(console, arguments, tolerances, &before, &after)?
     };
     write(console, arguments, &difference)?;
     let asked = arguments.exit_code || arguments.fail_on.is_some();
@@ -54,7 +53,10 @@ pub(in crate::cli) fn run(
 /// A difference that was written as JSON before.
 fn saved(console: Console, sides: &[String]) -> Result<Option<Difference>, Exit> {
     let [path] = sides else { return Ok(None) };
-    if !(path.ends_with(".json") && Path::new(path).is_file()) {
+    let is_json = Path::new(path)
+        .extension()
+        .is_some_and(|ending| ending == "json");
+    if !(is_json && Path::new(path).is_file()) {
         return Ok(None);
     }
     let text = std::fs::read_to_string(path).map_err(|error| {
@@ -147,7 +149,7 @@ fn write(console: Console, arguments: &DiffArguments, difference: &Difference) -
         DiffFormat::Json => difference.to_json(),
         DiffFormat::Html => html(difference),
         DiffFormat::Svg => match &arguments.to {
-            Some(folder) if !folder.extension().is_some_and(|ending| ending == "svg") => {
+            Some(folder) if folder.extension().is_none_or(|ending| ending != "svg") => {
                 return pictures(console, folder, difference);
             }
             _ => svg(difference),
