@@ -4,23 +4,67 @@
 //! discretisation. Source and targets lie anywhere: inside faces, on edges, at vertices, on the
 //! border.
 //!
-//! * [`Geodesics`] is built once per mesh; [`Geodesics::field`] solves from one source,
-//!   [`Geodesics::shortest`] gives one path.
-//! * [`Field`] answers distances, paths and end directions.
-//! * [`Path`] lists every crossing, so that points on it lie on the surface.
-//! * [`derivative_along`] is the first variation: how a distance changes when an end moves.
+//! | to get | use | cost at 20,000 faces, milliseconds |
+//! |---|---|---|
+//! | distances from a point, near or everywhere | [`Geodesics::field`], [`Field`] | 30 to 40 |
+//! | one path | [`Geodesics::shortest`] | 0.5 where geodesics are unique, else 3 to 12 |
+//! | all pairs of two rows of points | [`Geodesics::table`], [`Table`] | 0.015 a pair and 5 fields |
+//! | a path whose end moves | [`Geodesics::follow`], [`Follow`] | 0.015 a step |
 //!
-//! Lengths in metres, angles in radians.
+//! [`Geodesics`] is built once per mesh and shared by threads. A [`Path`] lists every crossing, so
+//! that points on it lie on the surface; its end directions are the gradient of its length
+//! ([`derivative_along`], the first variation). `cargo bench --bench geodesic` measures, beside an
+//! independent program. Lengths are in metres, angles in radians.
 //!
-//! # Method
-//! Windows (Mitchell, Mount, Papadimitriou 1987) are swept over the faces in batches (Qin, Han,
-//! Yu, Yu, Zhang 2016), filtered by corner distances (Xin, Wang 2009); see the private modules
-//! `window`, `solve`, `trim`. Paths are followed back from the directions in which windows arrive
-//! (`trace`) and laid straight in the unfolded strip of their faces (`strip`).
+//! # Exact fields
+//! A *window* is an interval of an edge that straight lines from one root (the source, or a vertex
+//! where paths bend) reach through one sequence of faces (J. Mitchell, D. Mount, C. Papadimitriou
+//! 1987). Where the root lies when these faces are laid flat is all that is stored of them:
+//! coordinates in the frame of the edge, so that crossing a face takes no trigonometry (`window`,
+//! `charts`). Windows are swept over the faces in batches, a half-edge at a time, the nearest first
+//! (Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang 2016); those that a path through a corner beats are
+//! dropped (S. Xin, G. Wang 2009; `solve`), and of two that cover the same points the nearer one
+//! stays (`trim`). Saddles and border vertices become roots for their shadow (`source`). A window
+//! is forgotten once it has been swept: a solve holds the wave and not the surface behind it
+//! (`front`), some tens of bytes a face in all. Paths are followed back from the directions in which
+//! they arrive (`trace`) and laid straight in the strip of their faces (`strip`).
 //!
-//! # What is no path
-//! The border is part of the surface: paths run along it and bend round its inner corners. There
-//! is no path between components: [`GeodesicError::Unreachable`].
+//! Where lengths of some ways to the targets are known, windows that cannot lie on shorter ones,
+//! were the rest of the way straight in space, are not swept (`aim`).
+//!
+//! # Single paths, and paths that are followed
+//! A strip of faces from one point to another, found by a search that goes towards the target
+//! (`seed`) or by shooting a straight line at where the target is when the faces on the way are laid
+//! flat (`shoot`), is pulled tight (`funnel`) and turned round every vertex at which the path bends
+//! without need (`relax`). Each turn makes it strictly shorter, so this ends, with a path that is
+//! shortest among its neighbours. On hills such paths lie on both sides of every vertex; the other
+//! ones keep within a lens whose width follows from the curvature in it, and are compared (`lens`).
+//!
+//! # Certificates
+//! A path that is shortest among its neighbours need not be the shortest. Where a mesh is a disc
+//! without positive curvature, it is: two geodesics with common ends would enclose some
+//! ([`Grounds::Unique`]). On another disc a table solves five rows exactly and follows the paths in
+//! between from both sides; as shortest paths with a common end do not cross, a path between two
+//! solved ones cannot run anywhere else. Pairs to which the two sides lead by different paths, or
+//! near which a branch that promised to be shorter was not found, go to the exact solver
+//! ([`Grounds::Bracketed`]). That the comparison in the lens leaves none out is not proved but
+//! tested: on hills, caps, valleys, slivers and tori no pair differed from its exact distance. Where
+//! the mesh is no disc, all rows are solved ([`Grounds::Solved`]). [`Certificate`] tells which, and
+//! [`Known`] tells it of every pair. A single path is compared with all others by the exact solver
+//! unless it is the only one.
+//!
+//! # Accuracy
+//! Distances are those of the polyhedron, to about 1e-14 of their length (against brute force on
+//! small meshes and an independent program on large ones: below 1e-12). A polyhedron inscribed in a
+//! smooth surface errs by the square of its edges: 3e-5 for 20,000 faces of a cap.
+//!
+//! # Limits
+//! The border is part of the surface: paths run along it and bend round its inner corners. There is
+//! no path between components: [`GeodesicError::Unreachable`]. A face with a side of no length has
+//! no directions: [`GeodesicError::DegenerateFace`]. What is not known is an error and never a
+//! number. A [`Follow`] stays on its branch, and says nothing of others.
+//!
+//! The room knows meshes and points on them (`surface`) and nothing else of egg.
 
 mod aim;
 mod certificate;
