@@ -301,6 +301,7 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
         SupportInput {
             supports: project.supports.clone(),
             bolt: project.hardware.bolt.clone(),
+            asked: design.spans.contains("supports"),
         },
         (skeleton, chapters.clone(), workshops),
     );

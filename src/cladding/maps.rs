@@ -1,11 +1,10 @@
 //! The distance maps of a patch from exact geodesics.
 
 use super::{DistanceTable, nodes};
-use crate::geodesic::{GeodesicError, Geodesics, Reach};
+use crate::geodesic::{GeodesicError, Geodesics};
 use crate::layout::{Domain, Proof, Side};
 use crate::project::model::Family;
 use crate::surface::SurfacePoint;
-use rayon::prelude::*;
 
 /// Samples a side. Splines through squared distances at these err by 2e-5 of the side length on
 /// a tall dome (method notes, section 2), below the noise that triangulation puts on a distance;
@@ -24,13 +23,9 @@ pub fn distance_table(
         nodes(SAMPLES).map(|share| side.at(mesh, share)).collect()
     };
     let (starts, ends) = (on(domain.start(family)), on(domain.end(family)));
-    let rows: Vec<Vec<f64>> = starts
-        .par_iter()
-        .map(|source| {
-            let field = geodesics.field(source, Reach::Targets(&ends))?;
-            ends.iter().map(|target| field.distance(target)).collect()
-        })
-        .collect::<Result<_, GeodesicError>>()?;
+    let table = geodesics.table(&starts, &ends)?;
+    let row = |i: usize| (0..ends.len()).map(|j| table.pair(i, j).length).collect();
+    let rows: Vec<Vec<f64>> = (0..starts.len()).map(row).collect();
     let proof = Proof::new(domain);
     let unproved = starts
         .iter()

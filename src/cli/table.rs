@@ -1,6 +1,7 @@
 //! The table of `egg check`: a row a patch, columns as wide as what stands in them.
 
 use crate::splitting::{PatchCheck, PerFamily};
+use std::fmt::Write;
 
 /// Rows of a table, the head first.
 const HEAD: [&str; 10] = [
@@ -49,10 +50,11 @@ pub(super) fn checks(checks: &[PatchCheck]) -> String {
     }
     if let Some(first) = checks.first() {
         let [least, most] = first.slope_bounds;
-        text.push_str(&format!(
-            "limits: η {}, slopes {least} to {most}\n",
+        let _ = writeln!(
+            text,
+            "limits: η {}, slopes {least} to {most}",
             first.eta_max
-        ));
+        );
     }
     text
 }

@@ -85,7 +85,7 @@ pub fn draw(
             sketch.point(
                 &point.id,
                 places[point.id.as_str()],
-                is_junction(&point.id, patches),
+                is_junction(&point.id, patches, edges),
             );
         }
     }
@@ -94,20 +94,14 @@ pub fn draw(
 }
 
 /// Whether an anchor stands inside a side of a patch.
-fn is_junction(point: &str, patches: &[NamedQuad]) -> bool {
-    let ends_here = |edge: &&String| {
-        edge.strip_prefix(point)
-            .is_some_and(|rest| rest.starts_with('-'))
-            || edge
-                .strip_suffix(point)
-                .is_some_and(|rest| rest.ends_with('-'))
+fn is_junction(point: &str, patches: &[NamedQuad], edges: &[EdgeRecord]) -> bool {
+    let ends_here = |id: &&String| {
+        let mut records = edges.iter().filter(|edge| edge.id == **id);
+        records.any(|edge| edge.from == point || edge.to == point)
     };
     patches.iter().any(|patch| {
-        !patch.corners.iter().any(|corner| corner == point)
-            && patch
-                .sides
-                .iter()
-                .any(|side| side.len() > 1 && side.iter().filter(ends_here).count() > 1)
+        let mut sides = patch.sides.iter();
+        sides.any(|side| side.iter().filter(ends_here).count() > 1)
     })
 }
 

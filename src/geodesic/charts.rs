@@ -40,14 +40,29 @@ impl Chart {
     }
 }
 
+/// What it takes to lay the face above a half-edge A→B beside the one below.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step {
+    /// The opposite corner C: along and across AB, in shares of it.
+    pub(super) apex: [f64; 2],
+    /// As in [`Chart`].
+    pub(super) left_exit: u32,
+    /// As in [`Chart`].
+    pub(super) right_exit: u32,
+}
+
 /// What the solver knows of a mesh: charts, corner angles and the vertices that bend paths.
 pub(super) struct Charts {
     /// Per half-edge.
     pub(super) of: Vec<Chart>,
+    /// Per half-edge.
+    pub(super) steps: Vec<Step>,
     /// Per half-edge the angle of its face at its origin, radians.
     pub(super) angles: Vec<f64>,
     /// Per vertex the sum of angles around it, radians.
     pub(super) total_angles: Vec<f64>,
+    /// Per vertex what its angles lack to the full turn, radians; none at the border.
+    pub(super) curvatures: Vec<f64>,
     /// Per vertex whether a shortest path can bend there.
     pub(super) bends: Vec<bool>,
     /// The first face without directions.
@@ -92,16 +107,29 @@ impl Charts {
                 total_angles[mesh.origin(h) as usize] += angle;
             }
         }
-        let bends = (0..mesh.positions().len() as u32)
-            .map(|v| {
-                mesh.is_border_vertex(v)
-                    || total_angles[v as usize] > 2.0 * std::f64::consts::PI + FLAT
+        let step = |chart: &Chart| Step {
+            apex: chart.apex().map(|x| x / chart.length),
+            left_exit: chart.left_exit,
+            right_exit: chart.right_exit,
+        };
+        let steps = charts.iter().map(step).collect();
+        let full = 2.0 * std::f64::consts::PI;
+        let vertices = || 0..mesh.vertex_count();
+        let bends = vertices()
+            .map(|v| mesh.is_border_vertex(v) || total_angles[v as usize] > full + FLAT)
+            .collect();
+        let curvatures = vertices()
+            .map(|v| match mesh.is_border_vertex(v) {
+                true => 0.0,
+                false => full - total_angles[v as usize],
             })
             .collect();
         Self {
             of: charts,
+            steps,
             angles,
             total_angles,
+            curvatures,
             bends,
             degenerate,
         }
@@ -140,13 +168,23 @@ impl Charts {
 
     /// The vector in space of a direction in the chart of a half-edge.
     pub(super) fn to_space(mesh: &Mesh, h: HalfEdge, direction: [f64; 2]) -> Vector3 {
-        let corners = mesh.corners(h.face());
-        let [a, b, c] = [0, 1, 2].map(|i| corners[(h.corner() + i) % 3]);
-        let along = (b - a).normalize();
-        let out = c - a;
-        let across = (out - along * out.dot(&along)).normalize();
+        let [along, across] = axes(mesh, h);
         (along * direction[0] + across * direction[1]).normalize()
     }
+
+    /// The direction in the chart of a half-edge of a vector in the plane of its face.
+    pub(super) fn from_space(mesh: &Mesh, h: HalfEdge, vector: &Vector3) -> [f64; 2] {
+        axes(mesh, h).map(|axis| axis.dot(vector))
+    }
+}
+
+/// The axes of a half-edge's chart in space.
+fn axes(mesh: &Mesh, h: HalfEdge) -> [Vector3; 2] {
+    let corners = mesh.corners(h.face());
+    let [a, b, c] = [0, 1, 2].map(|i| corners[(h.corner() + i) % 3]);
+    let along = (b - a).normalize();
+    let out = c - a;
+    [along, (out - along * out.dot(&along)).normalize()]
 }
 
 /// A face lower than this share of its longest side gets this height: its corners lie in line up

@@ -10,12 +10,12 @@
 //! Nothing is kept of a window once it is swept; a path is found again from the arrival
 //! directions at the vertices (see `trace`).
 
+use super::aim::Aim;
 use super::charts::{BORDER, Chart, Charts};
+use super::front::{Front, Next};
 use super::trim;
 use super::window::{SOURCE, Window};
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
-use std::cmp::Reverse;
-use std::collections::BinaryHeap;
 
 /// A target counts as inside a window that misses it by less than this share of the edge,
 /// measured at the target. The bend that such a path would need lengthens it by the square.
@@ -23,7 +23,7 @@ const WIDENING: f64 = 1e-10;
 
 /// A window is beaten only by a path that is shorter by more than rounding; a tie may be the
 /// same path.
-const CLEARLY: f64 = 1.0 + 1e-14;
+pub(super) const CLEARLY: f64 = 1.0 + 1e-14;
 
 /// Where the shortest path to a point comes from: straight from `root`, whose unfolded place is
 /// (x, y) in the chart of the half-edge `entry`, above which the point lies.
@@ -77,34 +77,37 @@ pub(super) enum Until<'a> {
 
 /// A solve in progress.
 pub(super) struct Sweep<'a> {
-    mesh: &'a Mesh,
-    charts: &'a Charts,
-    distances: Vec<f64>,
-    approaches: Vec<Approach>,
-    targets: Vec<Target>,
+    pub(super) mesh: &'a Mesh,
+    pub(super) charts: &'a Charts,
+    pub(super) distances: Vec<f64>,
+    pub(super) approaches: Vec<Approach>,
+    pub(super) targets: Vec<Target>,
     /// Per face the first target in or on it and per entry the next one; empty without targets.
-    targets_of_face: Vec<(u32, u32)>,
+    pub(super) targets_of_face: Vec<(u32, u32)>,
     /// Windows nearer than this are still wanted.
     bound: f64,
-    front: Front,
+    aim: Aim,
+    pub(super) front: &'a mut Front,
+    pub(super) scratch: Scratch,
 }
 
-/// Half-edges with pending windows, and vertices about to become sources.
+/// Lists that every step of a sweep uses again.
 #[derive(Default)]
-pub(super) struct Front {
-    pending: Vec<Vec<Window>>,
-    queue: BinaryHeap<Reverse<(u64, u32)>>,
+pub(super) struct Scratch {
     left: Vec<Window>,
-    right: Vec<Window>,
-    merged: Vec<Window>,
-    swept: Vec<(Window, f64)>,
+    pub(super) right: Vec<Window>,
+    /// Per window where its line to the opposite corner crosses the edge; NaN if it is beaten.
+    crossings: Vec<f64>,
 }
-
-/// Marks a queue entry as a vertex.
-const VERTEX: u32 = 1 << 31;
 
 impl<'a> Sweep<'a> {
-    pub(super) fn new(mesh: &'a Mesh, charts: &'a Charts, targets: &[SurfacePoint]) -> Self {
+    pub(super) fn new(
+        mesh: &'a Mesh,
+        charts: &'a Charts,
+        front: &'a mut Front,
+        targets: &[SurfacePoint],
+        aim: Aim,
+    ) -> Self {
         let targets: Vec<Target> = targets
             .iter()
             .map(|&point| Target {
@@ -121,8 +124,6 @@ impl<'a> Sweep<'a> {
         }
         targets_of_face.sort_unstable();
         let vertices = mesh.positions().len();
-        let mut front = Front::default();
-        front.pending.resize_with(3 * mesh.faces().len(), Vec::new);
         Self {
             mesh,
             charts,
@@ -130,8 +131,10 @@ impl<'a> Sweep<'a> {
             approaches: vec![Approach::NONE; vertices],
             targets,
             targets_of_face,
-            bound: f64::INFINITY,
+            bound: aim.farthest(),
+            aim,
             front,
+            scratch: Scratch::default(),
         }
     }
 
@@ -142,26 +145,23 @@ impl<'a> Sweep<'a> {
         }
         self.start(source);
         let mut since_bound = 0;
-        while let Some(Reverse((key, id))) = self.front.queue.pop() {
+        while let Some((distance, next)) = self.front.pop(self.bound) {
             if let Until::Reached(vertices) = until {
                 since_bound += 1;
                 if since_bound == 16 {
                     since_bound = 0;
-                    self.bound = self.farthest(vertices);
+                    self.bound = self.farthest(vertices).min(self.aim.farthest());
                 }
             }
-            if f64::from_bits(key) > self.bound {
-                break;
-            }
-            if id & VERTEX == 0 {
-                self.sweep(HalfEdge(id));
-            } else {
-                self.bend_at(id & !VERTEX, f64::from_bits(key));
+            match next {
+                Next::HalfEdge(h) => self.sweep(HalfEdge(h)),
+                Next::Vertex(v) => self.bend_at(v, distance),
             }
         }
         if let Until::Reached(vertices) = until {
             self.bound = self.farthest(vertices);
         }
+        self.front.clear();
         Swept {
             distances: self.distances,
             approaches: self.approaches,
@@ -177,72 +177,7 @@ impl<'a> Sweep<'a> {
         targets.chain(vertices).fold(0.0, f64::max)
     }
 
-    /// First windows and distances around the source.
-    fn start(&mut self, source: &SurfacePoint) {
-        if let SurfacePoint::Vertex(v) = *source {
-            self.distances[v as usize] = 0.0;
-            self.fill_around(v, 0.0, SOURCE);
-            return;
-        }
-        for face in source.faces(self.mesh) {
-            for corner in 0..3 {
-                let h = HalfEdge::new(face, corner);
-                let Some([x, y]) = self.charts.coordinates(self.mesh, h, source) else {
-                    continue;
-                };
-                let [cx, cy] = self.charts.chart(h).apex();
-                let (dx, dy) = (cx - x, cy - y);
-                let approach = Approach {
-                    entry: h.0,
-                    root: SOURCE,
-                    x,
-                    y,
-                };
-                let opposite = self.mesh.origin(h.prev());
-                self.reach(opposite, (dx * dx + dy * dy).sqrt(), approach);
-                // A source on this very edge sees the face beyond from that face's own charts.
-                let on_edge = matches!(source, SurfacePoint::Edge { .. }) && y <= 0.0;
-                if let (Some(twin), false) = (self.mesh.twin(h), on_edge) {
-                    let length = self.charts.chart(h).length;
-                    self.emit(twin, [0.0, length], length - x, y, 0.0, SOURCE);
-                }
-            }
-            self.reach_targets_inside(face, source);
-        }
-    }
-
-    /// Straight lines inside the source's own face.
-    fn reach_targets_inside(&mut self, face: u32, source: &SurfacePoint) {
-        let h = HalfEdge::new(face, 0);
-        let Some([x, y]) = self.charts.coordinates(self.mesh, h, source) else {
-            return;
-        };
-        let approach = Approach {
-            entry: h.0,
-            root: SOURCE,
-            x,
-            y,
-        };
-        self.reach_straight(h, approach, 0.0);
-    }
-
-    /// Offers all targets in the face above `h` a straight line inside that face.
-    fn reach_straight(&mut self, h: HalfEdge, approach: Approach, sigma: f64) {
-        for i in self.targets_in(h.face()) {
-            let target = &mut self.targets[self.targets_of_face[i].1 as usize];
-            let Some([px, py]) = self.charts.coordinates(self.mesh, h, &target.point) else {
-                continue;
-            };
-            let (dx, dy) = (px - approach.x, py - approach.y);
-            let distance = sigma + (dx * dx + dy * dy).sqrt();
-            if distance < target.distance {
-                target.distance = distance;
-                target.approach = approach;
-            }
-        }
-    }
-
-    fn targets_in(&self, face: u32) -> std::ops::Range<usize> {
+    pub(super) fn targets_in(&self, face: u32) -> std::ops::Range<usize> {
         if self.targets_of_face.is_empty() {
             return 0..0;
         }
@@ -254,44 +189,8 @@ impl<'a> Sweep<'a> {
         begin..begin + count
     }
 
-    /// A vertex as source of windows in all directions.
-    fn fill_around(&mut self, v: u32, sigma: f64, root: u32) {
-        let mesh = self.mesh;
-        for h in mesh.outgoing(v) {
-            let opposite = h.next();
-            if let Some(twin) = mesh.twin(opposite) {
-                let chart = self.charts.chart(opposite);
-                let (length, [x, y]) = (chart.length, chart.apex());
-                self.emit(twin, [0.0, length], length - x, y, sigma, root);
-            }
-            self.reach_neighbours(h, sigma, root);
-        }
-    }
-
-    /// Offers the two other corners of the face above `h` the way along its sides, and targets
-    /// in the face the straight line from the origin of `h`.
-    fn reach_neighbours(&mut self, h: HalfEdge, sigma: f64, root: u32) {
-        let chart = self.charts.chart(h);
-        let (length, left_length) = (chart.length, chart.left_length);
-        let from_origin = Approach {
-            entry: h.0,
-            root,
-            x: 0.0,
-            y: 0.0,
-        };
-        self.reach(self.mesh.origin(h.prev()), sigma + left_length, from_origin);
-        let from_end = Approach {
-            entry: h.prev().0,
-            root,
-            x: left_length,
-            y: 0.0,
-        };
-        self.reach(self.mesh.target(h), sigma + length, from_end);
-        self.reach_straight(h, from_origin, sigma);
-    }
-
     /// Lowers the distance of a vertex.
-    fn reach(&mut self, v: u32, distance: f64, approach: Approach) {
+    pub(super) fn reach(&mut self, v: u32, distance: f64, approach: Approach) {
         let known = self.distances[v as usize];
         if distance >= known {
             return;
@@ -300,169 +199,103 @@ impl<'a> Sweep<'a> {
         self.approaches[v as usize] = approach;
         // A gain within rounding casts the same shadow again.
         if self.charts.bends[v as usize] && distance * CLEARLY < known && distance < self.bound {
-            self.front
-                .queue
-                .push(Reverse((distance.to_bits(), v | VERTEX)));
+            self.front.push_vertex(v, distance);
         }
     }
 
-    /// A vertex where paths bend becomes a source for the directions in its shadow: those that
-    /// make an angle of π or more with the arrival on either side.
-    fn bend_at(&mut self, v: u32, distance: f64) {
-        if distance > self.distances[v as usize] * CLEARLY {
-            return; // reached nearer since it was queued
-        }
-        let approach = self.approaches[v as usize];
-        let sigma = self.distances[v as usize];
-        let entry = HalfEdge(approach.entry);
-        let chart = self.charts.chart(entry);
-        let [cx, cy] = chart.apex();
-        let (ax, ay) = (approach.x - cx, approach.y - cy);
-        // From C: counter-clockwise from C→A to the arrival, both pointing down.
-        let inside = libm::atan2(cx * -ay + cy * ax, -(cx * ax + cy * ay));
-        let first = entry.prev();
-        let pi = std::f64::consts::PI;
-        let full = if self.mesh.is_border_vertex(v) {
-            f64::INFINITY
-        } else {
-            self.charts.total_angles[v as usize]
-        };
-        // The sides are ways in any case: where the border is straight the shadow is a line.
-        for h in self.mesh.outgoing(v) {
-            self.reach_neighbours(h, sigma, v);
-        }
-        // Counter-clockwise from the arrival.
-        let mut angle = -inside;
-        let mut h = first;
-        loop {
-            let span = self.charts.angles[h.0 as usize];
-            self.fill_sector(h, [pi - angle, full - pi - angle], sigma, v);
-            angle += span;
-            match self.mesh.twin(h.prev()) {
-                Some(next) if angle < full - pi && next != first => h = next,
-                _ => break,
-            }
-        }
-        if full.is_finite() {
-            return;
-        }
-        // Clockwise, to the other end of the border's fan.
-        let mut angle = inside;
-        let mut h = first;
-        loop {
-            self.fill_sector(h, [f64::NEG_INFINITY, angle - pi], sigma, v);
-            match self.mesh.twin(h) {
-                Some(twin) => {
-                    h = twin.next();
-                    angle += self.charts.angles[h.0 as usize];
-                }
-                None => break,
-            }
-        }
-    }
-
-    /// Windows of a vertex into the face above `h`, for the angles from `h` that lie in the
-    /// range.
-    fn fill_sector(&mut self, h: HalfEdge, range: [f64; 2], sigma: f64, v: u32) {
-        let span = self.charts.angles[h.0 as usize];
-        let (from, to) = (range[0].max(0.0), range[1].min(span));
-        if from >= to {
-            return;
-        }
-        let opposite = h.next();
-        let Some(twin) = self.mesh.twin(opposite) else {
-            return;
-        };
-        let chart = *self.charts.chart(h);
-        let seen = self.charts.chart(opposite);
-        let (length, [x, y]) = (seen.length, seen.apex());
-        let [cx, cy] = chart.apex();
-        // Where the ray at an angle meets B→C, measured from C.
-        let meets = |angle: f64| {
-            let (sine, cosine) = libm::sincos(angle);
-            let share = chart.length * sine / (cy * cosine + (chart.length - cx) * sine);
-            (length * (1.0 - share)).clamp(0.0, length)
-        };
-        let begin = if to < span { meets(to) } else { 0.0 };
-        let end = if from > 0.0 { meets(from) } else { length };
-        self.emit(twin, [begin, end], length - x, y, sigma, v);
-    }
-
-    /// A first window at a half-edge.
-    fn emit(&mut self, h: HalfEdge, b: [f64; 2], x: f64, depth: f64, sigma: f64, root: u32) {
-        if b[1] > b[0] && depth > 0.0 {
-            self.front.right.clear();
-            self.front.right.push(Window::new(b, x, depth, sigma, root));
-            self.arrive(h, Exit::Right);
-        }
-    }
-
-    /// Carries the pending windows of a half-edge across its face.
+    /// Carries the waiting windows of a half-edge across its face.
     fn sweep(&mut self, h: HalfEdge) {
-        let mut windows = std::mem::take(&mut self.front.pending[h.0 as usize]);
-        if windows.is_empty() {
+        let Some((slot, windows)) = self.front.take(h.0) else {
             return;
-        }
-        let chart = *self.charts.chart(h);
+        };
+        let chart = self.charts.chart(h);
         let corners = self.mesh.faces()[h.face() as usize];
         let a = corners[h.corner()] as usize;
         let b = corners[(h.corner() + 1) % 3] as usize;
         let c = corners[(h.corner() + 2) % 3];
-        let targets = self.targets_in(h.face());
         let apex = chart.apex();
-        let mut swept = std::mem::take(&mut self.front.swept);
-        swept.clear();
-        for w in windows.drain(..) {
-            let beaten_by_a = (self.distances[a] + w.b1) * CLEARLY < w.d1;
-            let beaten_by_b = (self.distances[b] + (chart.length - w.b0)) * CLEARLY < w.d0;
+        let (at_a, at_b) = (self.distances[a], self.distances[b]);
+        let mut crossings = std::mem::take(&mut self.scratch.crossings);
+        crossings.clear();
+        let mut nearest = f64::INFINITY;
+        let mut best = 0;
+        for (i, w) in windows.iter().enumerate() {
+            let beaten_by_a = (at_a + w.b1) * CLEARLY < w.d1;
+            let beaten_by_b = (at_b + (chart.length - w.b0)) * CLEARLY < w.d0;
             if beaten_by_a || beaten_by_b || w.nearest() > self.bound {
+                crossings.push(f64::NAN);
                 continue;
             }
             let to_c = w.crossing(apex);
-            if let Some(distance) = straight(&w, &chart, apex, to_c) {
-                self.reach(c, distance, approach(h, &w));
+            crossings.push(to_c);
+            if let Some(distance) = straight(w, chart, apex, to_c)
+                && distance < nearest
+            {
+                nearest = distance;
+                best = i;
             }
-            for i in targets.clone() {
-                let target = &mut self.targets[self.targets_of_face[i].1 as usize];
-                let Some(at) = self.charts.coordinates_above(self.mesh, h, &target.point) else {
-                    continue; // on the edge itself: met in the face before
-                };
-                if let Some(distance) = straight(&w, &chart, at, w.crossing(at))
+        }
+        if nearest < f64::INFINITY {
+            self.reach(c, nearest, approach(h, &windows[best]));
+        }
+        self.meet_targets(h, &windows, &crossings);
+        let known = [at_a, at_b, self.distances[c as usize]];
+        if chart.left_exit != BORDER {
+            let limit = self.aim.limit(self.mesh, h.prev(), chart.left_length);
+            self.cross_left(&windows, &crossings, chart, known, limit);
+            self.front.arrive(chart.left_exit, &mut self.scratch.left);
+        }
+        if chart.right_exit != BORDER {
+            let limit = self.aim.limit(self.mesh, h.next(), chart.right_length);
+            self.cross_right(&windows, &crossings, chart, known, limit);
+            self.front.arrive(chart.right_exit, &mut self.scratch.right);
+        }
+        self.scratch.crossings = crossings;
+        self.front.recycle(slot, windows);
+    }
+
+    /// Offers the targets in the face above `h` the straight lines through the windows there.
+    fn meet_targets(&mut self, h: HalfEdge, windows: &[Window], crossings: &[f64]) {
+        for i in self.targets_in(h.face()) {
+            let target = &mut self.targets[self.targets_of_face[i].1 as usize];
+            let Some(at) = self.charts.coordinates_above(self.mesh, h, &target.point) else {
+                continue; // on the edge itself: met in the face before
+            };
+            let chart = self.charts.chart(h);
+            for (w, _) in windows.iter().zip(crossings).filter(|(_, c)| !c.is_nan()) {
+                if let Some(distance) = straight(w, chart, at, w.crossing(at))
                     && distance < target.distance
                 {
                     target.distance = distance;
-                    target.approach = approach(h, &w);
+                    target.approach = approach(h, w);
                 }
             }
-            swept.push((w, to_c));
         }
-        self.front.pending[h.0 as usize] = windows;
-        let known = [a, b, c as usize].map(|v| self.distances[v]);
-        if chart.left_exit != BORDER {
-            self.cross_left(&swept, &chart, known);
-            self.arrive(HalfEdge(chart.left_exit), Exit::Left);
-        }
-        if chart.right_exit != BORDER {
-            self.cross_right(&swept, &chart, known);
-            self.arrive(HalfEdge(chart.right_exit), Exit::Right);
-        }
-        self.front.swept = swept;
     }
 
     /// Windows on the edge A→C of the face beyond.
-    fn cross_left(&mut self, swept: &[(Window, f64)], chart: &Chart, known: [f64; 3]) {
-        let list = &mut self.front.left;
+    fn cross_left(
+        &mut self,
+        windows: &[Window],
+        crossings: &[f64],
+        chart: &Chart,
+        at: [f64; 3],
+        limit: f64,
+    ) {
+        let bound = self.bound.min(limit);
+        let list = &mut self.scratch.left;
         list.clear();
-        let [at_a, _, at_c] = known;
-        for (w, to_c) in swept {
-            if *to_c <= w.b0 {
+        let [at_a, _, at_c] = at;
+        for (w, &to_c) in windows.iter().zip(crossings) {
+            // Not for NaN either.
+            if !(to_c > w.b0) {
                 continue;
             }
-            let end = (*to_c > w.b1).then_some(w.b1);
+            let end = (to_c > w.b1).then_some(w.b1);
             if let Some(child) = w.through_left(chart, w.b0, end)
                 && (at_a + child.b1) * CLEARLY >= child.d1
                 && (at_c + (chart.left_length - child.b0)) * CLEARLY >= child.d0
-                && child.nearest() <= self.bound
+                && child.nearest() <= bound
             {
                 trim::push(list, child);
             }
@@ -470,56 +303,32 @@ impl<'a> Sweep<'a> {
     }
 
     /// Windows on the edge C→B of the face beyond.
-    fn cross_right(&mut self, swept: &[(Window, f64)], chart: &Chart, known: [f64; 3]) {
-        let list = &mut self.front.right;
+    fn cross_right(
+        &mut self,
+        windows: &[Window],
+        crossings: &[f64],
+        chart: &Chart,
+        at: [f64; 3],
+        limit: f64,
+    ) {
+        let bound = self.bound.min(limit);
+        let list = &mut self.scratch.right;
         list.clear();
-        let [_, at_b, at_c] = known;
-        for (w, to_c) in swept {
-            if *to_c >= w.b1 {
+        let [_, at_b, at_c] = at;
+        for (w, &to_c) in windows.iter().zip(crossings) {
+            if !(to_c < w.b1) {
                 continue;
             }
-            let begin = (*to_c < w.b0).then_some(w.b0);
+            let begin = (to_c < w.b0).then_some(w.b0);
             if let Some(child) = w.through_right(chart, begin, w.b1)
                 && (at_c + child.b1) * CLEARLY >= child.d1
                 && (at_b + (chart.right_length - child.b0)) * CLEARLY >= child.d0
-                && child.nearest() <= self.bound
+                && child.nearest() <= bound
             {
                 trim::push(list, child);
             }
         }
     }
-
-    /// Adds a sorted list of new windows to what waits at a half-edge.
-    fn arrive(&mut self, h: HalfEdge, exit: Exit) {
-        let front = &mut self.front;
-        let new = match exit {
-            Exit::Left => &front.left,
-            Exit::Right => &front.right,
-        };
-        let nearest = new
-            .iter()
-            .map(Window::nearest)
-            .fold(f64::INFINITY, f64::min);
-        if nearest == f64::INFINITY {
-            return;
-        }
-        let pending = &mut front.pending[h.0 as usize];
-        if pending.is_empty() {
-            pending.extend_from_slice(new);
-        } else {
-            front.merged.clear();
-            trim::merge(pending, new, &mut front.merged);
-            pending.clear();
-            pending.extend_from_slice(&front.merged);
-        }
-        front.queue.push(Reverse((nearest.to_bits(), h.0)));
-    }
-}
-
-#[derive(Clone, Copy)]
-enum Exit {
-    Left,
-    Right,
 }
 
 fn approach(h: HalfEdge, w: &Window) -> Approach {

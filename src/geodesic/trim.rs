@@ -17,6 +17,7 @@ use super::window::Window;
 const TOUCHING: f64 = 1e-13;
 
 /// Appends the window that lies right of all others where it entered the face.
+#[inline(always)]
 pub(super) fn push(list: &mut Vec<Window>, mut new: Window) {
     while let Some(last) = list.last_mut() {
         if new.b0 >= last.b1 - TOUCHING * last.b1 {
@@ -32,7 +33,8 @@ pub(super) fn push(list: &mut Vec<Window>, mut new: Window) {
             continue;
         }
         let from = last.b0.max(new.b0);
-        if new.distance(from) <= last.distance(from) {
+        let at_from = gap(last, &new, from);
+        if at_from >= 0.0 {
             // Beyond `from` every path of the last window crosses the new one's.
             if new.b0 <= last.b0 {
                 list.pop();
@@ -42,13 +44,14 @@ pub(super) fn push(list: &mut Vec<Window>, mut new: Window) {
             break;
         }
         let to = last.b1.min(new.b1);
-        if last.distance(to) <= new.distance(to) {
+        let at_to = gap(last, &new, to);
+        if at_to <= 0.0 {
             if new.b1 <= last.b1 {
                 return;
             }
             new.begin_at(to);
         } else {
-            let between = separation(last, &new, from, to);
+            let between = separation(last, &new, [from, to], [at_from, at_to]);
             last.end_at(between);
             new.begin_at(between);
         }
@@ -157,16 +160,16 @@ impl Pieces<'_> {
 
     /// Divides an interval that both windows cover.
     fn push_nearer(&mut self, a: &Window, b: &Window, from: f64, to: f64) {
-        let gap = |at: f64| a.distance(at) - b.distance(at);
-        let sides = [from, to].map(|at| {
-            if gap(at) <= 0.0 {
+        let gaps = [from, to].map(|at| gap(a, b, at));
+        let sides = gaps.map(|gap| {
+            if gap <= 0.0 {
                 Side::First
             } else {
                 Side::Second
             }
         });
         if sides[0] != sides[1] {
-            let between = separation(a, b, from, to);
+            let between = separation(a, b, [from, to], gaps);
             let (near, far) = if sides[0] == Side::First {
                 (a, b)
             } else {
@@ -183,9 +186,11 @@ impl Pieces<'_> {
             Side::Second => (b, a, Side::First),
         };
         let aligned = (a.x * b.depth - b.x * a.depth) / (b.depth - a.depth);
-        if aligned > from && aligned < to && loser.distance(aligned) < winner.distance(aligned) {
-            let left = separation(a, b, from, aligned);
-            let right = separation(a, b, aligned, to);
+        let aligned_gap = gap(winner, loser, aligned);
+        if aligned > from && aligned < to && aligned_gap > 0.0 {
+            let ends = [from, to].map(|at| gap(winner, loser, at));
+            let left = separation(winner, loser, [from, aligned], [ends[0], aligned_gap]);
+            let right = separation(winner, loser, [aligned, to], [aligned_gap, ends[1]]);
             self.push_part(winner, from, left, sides[0]);
             self.push_part(loser, left, right, other);
             self.push_part(winner, right, to, sides[0]);
@@ -195,41 +200,56 @@ impl Pieces<'_> {
     }
 }
 
+/// How much farther a point of the edge is through `a` than through `b`: metres, or square metres
+/// where both start at the same distance, which takes no root and is linear along the edge.
+#[inline]
+fn gap(a: &Window, b: &Window, at: f64) -> f64 {
+    if a.sigma == b.sigma {
+        let (to_a, to_b) = (at - a.x, at - b.x);
+        (to_a - to_b) * (to_a + to_b) + (a.depth - b.depth) * (a.depth + b.depth)
+    } else {
+        a.distance(at) - b.distance(at)
+    }
+}
+
 /// Steps after which bisection alone has reached the spacing of numbers.
 const MAX_STEPS: u32 = 60;
 
 /// The point where two windows are equally near, between two points where different ones are
-/// nearer: regula falsi with halving (Illinois), always bracketed.
-fn separation(a: &Window, b: &Window, mut low: f64, mut high: f64) -> f64 {
-    let gap = |at: f64| a.distance(at) - b.distance(at);
-    let (mut at_low, mut at_high) = (gap(low), gap(high));
-    let mut kept = 0;
-    for _ in 0..MAX_STEPS {
-        let step = at_low / (at_low - at_high);
-        if !(step > 0.0 && step < 1.0) {
-            break;
-        }
-        let middle = low + (high - low) * step;
-        if middle <= low || middle >= high {
-            break;
-        }
-        let at_middle = gap(middle);
-        if at_middle.abs() <= 4.0 * f64::EPSILON * (a.distance(middle)) {
-            return middle;
-        }
-        if (at_middle > 0.0) == (at_low > 0.0) {
-            (low, at_low) = (middle, at_middle);
-            if kept == 1 {
-                at_high *= 0.5;
-            }
-            kept = 1;
-        } else {
-            (high, at_high) = (middle, at_middle);
-            if kept == -1 {
-                at_low *= 0.5;
-            }
-            kept = -1;
-        }
+/// nearer, from their gaps there. Where the gap is linear, the chord meets zero there; otherwise
+/// Newton's steps, always bracketed.
+fn separation(a: &Window, b: &Window, [mut low, mut high]: [f64; 2], gaps: [f64; 2]) -> f64 {
+    let chord = gaps[0] / (gaps[0] - gaps[1]);
+    let mut at = low + (high - low) * chord;
+    if !(at > low && at < high) {
+        return 0.5 * (low + high);
     }
-    0.5 * (low + high)
+    if a.sigma == b.sigma {
+        return at;
+    }
+    for _ in 0..MAX_STEPS {
+        let (to_a, to_b) = (at - a.x, at - b.x);
+        let far_a = (to_a * to_a + a.depth * a.depth).sqrt();
+        let far_b = (to_b * to_b + b.depth * b.depth).sqrt();
+        let gap = (a.sigma - b.sigma) + (far_a - far_b);
+        if gap.abs() <= 4.0 * f64::EPSILON * (a.sigma + far_a) {
+            break;
+        }
+        if (gap > 0.0) == (gaps[0] > 0.0) {
+            low = at;
+        } else {
+            high = at;
+        }
+        let newton = at - gap / (to_a / far_a - to_b / far_b);
+        let next = if newton > low && newton < high {
+            newton
+        } else {
+            0.5 * (low + high)
+        };
+        if next == at {
+            break;
+        }
+        at = next;
+    }
+    at
 }

@@ -9,7 +9,6 @@ pub(super) const SOURCE: u32 = u32::MAX;
 /// An interval of a half-edge A→B and where its straight lines come from, in the chart of that
 /// half-edge. The face above is the one they enter. One cache line.
 #[derive(Debug, Clone, Copy)]
-#[repr(align(64))]
 pub(super) struct Window {
     /// Begin of the interval from A, metres.
     pub(super) b0: f64,

@@ -9,6 +9,7 @@ use crate::cladding::{PlanarQuad, Point2};
 use crate::geodesic::{GeodesicError, Geodesics, Path, Reach};
 use crate::layout::Side;
 use crate::project::model::Family;
+use crate::surface::SurfacePoint;
 use serde::{Deserialize, Serialize};
 
 /// Which end of a member is given; the other one is sought.
@@ -66,6 +67,10 @@ const FIRST: f64 = 1e-4;
 const TRIALS: [f64; 9] = [-1.0, -0.3, -0.1, -0.01, 0.0, 0.01, 0.1, 0.3, 1.0];
 /// The exact share is sought this far from the interpolated one at most.
 const SEARCH: f64 = 0.05;
+/// Lengths along a branch agree to this share of the length when it is left for the exact solver.
+const CLOSE: f64 = 0.2 * EQUAL;
+/// Steps along a branch; each gains several digits.
+const MOST_STEPS: usize = 12;
 /// Solves for one member; each gains several digits.
 const MOST_SOLVES: usize = 24;
 
@@ -91,6 +96,26 @@ pub fn refine(
             .0
             .sqrt()
     };
+    let member = |other: f64, path: Path| {
+        let (start, end) = in_order(given, share, other);
+        Member {
+            family: between.family,
+            index: 0,
+            boundary: false,
+            start,
+            end,
+            path: if given == Given::Start {
+                path
+            } else {
+                path.reversed()
+            },
+            planar: planar(between, start, end),
+        }
+    };
+    let difference = |other: f64, length: f64| length - planar_length(other);
+    if let Some((other, path)) = follow(geodesics, &source, to, guess, &difference) {
+        return Ok(member(other, path));
+    }
     let mut search = Search {
         guess,
         tried: Vec::new(),
@@ -110,27 +135,10 @@ pub fn refine(
         let targets: Vec<_> = shares.iter().map(|&x| to.at(mesh, x)).collect();
         let field = geodesics.field(&source, Reach::Targets(&targets))?;
         for (&other, target) in shares.iter().zip(&targets) {
-            let plane = planar_length(other);
-            let difference = field.distance(target)? - plane;
-            if difference.abs() <= EQUAL * plane {
-                let path = field.path_to(target)?;
-                let (start, end) = in_order(given, share, other);
-                let path = if given == Given::Start {
-                    path
-                } else {
-                    path.reversed()
-                };
-                let planar = planar(between, start, end);
-                let family = between.family;
-                return Ok(Member {
-                    family,
-                    index: 0,
-                    boundary: false,
-                    start,
-                    end,
-                    path,
-                    planar,
-                });
+            let length = field.distance(target)?;
+            let difference = difference(other, length);
+            if difference.abs() <= EQUAL * length {
+                return Ok(member(other, field.path_to(target)?));
             }
             search.tried.push((other, difference));
         }
@@ -146,6 +154,40 @@ pub fn refine(
         closest,
         difference,
     })
+}
+
+/// The share with equal lengths found along one branch of paths: the shortest path to the guess is
+/// followed by secant steps, and what is found is proved to be shortest.
+///
+/// `None` where the branch ends, is not the shortest where lengths are equal, or does not lead
+/// there in a few steps.
+fn follow(
+    geodesics: &Geodesics<'_>,
+    source: &SurfacePoint,
+    to: &Side,
+    guess: f64,
+    difference: &impl Fn(f64, f64) -> f64,
+) -> Option<(f64, Path)> {
+    let mesh = geodesics.mesh();
+    let first = geodesics.shortest(source, &to.at(mesh, guess)).ok()?;
+    let mut branch = geodesics.follow(&first)?;
+    let mut before = (guess, difference(guess, first.length));
+    let mut share = guess + if guess < 0.5 { FIRST } else { -FIRST };
+    for _ in 0..MOST_STEPS {
+        if !((share - guess).abs() <= SEARCH && (0.0..=1.0).contains(&share)) {
+            return None;
+        }
+        let length = branch.to(&to.at(mesh, share))?.length;
+        let here = (share, difference(share, length));
+        if here.1.abs() <= CLOSE * length {
+            let path = geodesics.shortest(source, &to.at(mesh, share)).ok()?;
+            let equal = difference(share, path.length).abs() <= EQUAL * path.length;
+            return equal.then_some((share, path));
+        }
+        share -= here.1 * (here.0 - before.0) / (here.1 - before.1);
+        before = here;
+    }
+    None
 }
 
 fn in_order(given: Given, share: f64, other: f64) -> (f64, f64) {

@@ -3,6 +3,7 @@
 
 use super::Notation;
 use super::model::{Anchor, Patch, Point, Project};
+use std::fmt::Write;
 
 /// How lengths are written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -54,23 +55,23 @@ fn toml(project: &Project, lengths: LengthText) -> String {
             Anchor::Vertex(vertex) => format!("{{ vertex = {vertex} }}"),
             _ => place,
         };
-        text.push_str(&format!("{} = {place}\n", point.name));
+        let _ = writeln!(text, "{} = {place}", point.name);
     }
     for patch in &project.patches {
         let [a, b, c, d] = &patch.corners;
-        text.push_str(&format!("\n[patches.{}]\n", patch.name));
-        text.push_str(&format!("corners = [\"{a}\", \"{b}\", \"{c}\", \"{d}\"]\n"));
+        let _ = writeln!(text, "\n[patches.{}]", patch.name);
+        let _ = writeln!(text, "corners = [\"{a}\", \"{b}\", \"{c}\", \"{d}\"]");
         let members = members(patch, " = ");
         if !members.is_empty() {
-            text.push_str(&format!("members = {{ {members} }}\n"));
+            let _ = writeln!(text, "members = {{ {members} }}");
         }
         if let Some(alpha) = patch.alpha {
-            text.push_str(&format!("alpha = {}\n", degrees(alpha)));
+            let _ = writeln!(text, "alpha = {}", degrees(alpha));
         }
     }
     let weights = weights(project, " = ");
     if !weights.is_empty() {
-        text.push_str(&format!("\n[distribution]\nweights = {{ {weights} }}\n"));
+        let _ = writeln!(text, "\n[distribution]\nweights = {{ {weights} }}");
     }
     text
 }
@@ -85,7 +86,7 @@ fn ron(project: &Project, lengths: LengthText) -> String {
             Anchor::Vertex(vertex) => format!("(vertex: {vertex})"),
             _ => place,
         };
-        text.push_str(&format!("    \"{}\": {place},\n", point.name));
+        let _ = writeln!(text, "    \"{}\": {place},", point.name);
     }
     text.push_str("},\npatches: {\n");
     for patch in &project.patches {
@@ -93,17 +94,17 @@ fn ron(project: &Project, lengths: LengthText) -> String {
         let mut fields = format!("corners: [\"{a}\", \"{b}\", \"{c}\", \"{d}\"]");
         let members = members(patch, ": ");
         if !members.is_empty() {
-            fields.push_str(&format!(", members: ({members})"));
+            let _ = write!(fields, ", members: ({members})");
         }
         if let Some(alpha) = patch.alpha {
-            fields.push_str(&format!(", alpha: {}", degrees(alpha)));
+            let _ = write!(fields, ", alpha: {}", degrees(alpha));
         }
-        text.push_str(&format!("    \"{}\": ({fields}),\n", patch.name));
+        let _ = writeln!(text, "    \"{}\": ({fields}),", patch.name);
     }
     text.push_str("},\n");
     let weights = weights(project, ": ");
     if !weights.is_empty() {
-        text.push_str(&format!("distribution: (weights: {{ {weights} }}),\n"));
+        let _ = writeln!(text, "distribution: (weights: {{ {weights} }}),");
     }
     text
 }

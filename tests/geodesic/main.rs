@@ -12,6 +12,7 @@ mod meshes;
 mod properties;
 mod python;
 mod reference;
+mod tables;
 
 use egg::geodesic::{Geodesics, Reach};
 use egg::surface::SurfacePoint;
@@ -65,6 +66,12 @@ fn distances_equal_the_exhaustive_search_on_small_meshes() {
                         path.length
                     );
                     assert!((sum - found).abs() <= 1e-10 * found, "points {sum} {found}");
+                    let single = geodesics.shortest(&source, target).unwrap();
+                    assert!(
+                        (single.length - truth).abs() <= 1e-11 * truth,
+                        "seed {seed}: {source:?} to {target:?}: {} for {truth}",
+                        single.length
+                    );
                 }
             }
         }

@@ -22,13 +22,16 @@ const PROJECTS: [&str; 4] = [
 ];
 
 /// Structures of several patches: all shapes of networks.
-const STRUCTURES: [&str; 6] = [
+const STRUCTURES: [&str; 9] = [
     "projects/pavilion/pavilion.toml",
     "projects/prototype/prototype.toml",
     "projects/great-court/great-court.toml",
     "projects/lilium-tower/lilium-tower.toml",
     "projects/yas-hotel/yas-hotel.toml",
     "tests/corpus/designs/ring-closed.toml",
+    "projects/peak/by-hand.toml",
+    "projects/peak/automatic.toml",
+    "projects/peak/informed.toml",
 ];
 
 /// A file of the repository.

@@ -6,6 +6,7 @@ use crate::{bumps, grid};
 use egg::plan::{Plan, from_ron};
 use egg::surface::write_obj;
 use std::collections::BTreeMap;
+use std::fmt::Write;
 use std::fs;
 use std::path::Path;
 
@@ -43,7 +44,7 @@ fn every_project_of_the_corpus_is_told_its_criteria_and_what_to_do() {
             let mut said = format!("{}{}exit {:?}\n", checked.out, checked.err, checked.code);
             if text.contains("workflow") {
                 let split = shop.egg(&["split", &name]);
-                said.push_str(&format!("\n$ egg split {name}\n{}", split.out));
+                let _ = write!(said, "\n$ egg split {name}\n{}", split.out);
             }
             insta::assert_snapshot!(name, said);
         }

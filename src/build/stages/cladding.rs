@@ -18,7 +18,7 @@ use serde::Serialize;
 /// The distance map of a family.
 pub(in crate::build) const DISTANCES: Stage<Family, Node<Domain>, DistanceTable> = Stage {
     name: "distances",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |family, domain, _| {
         let (table, unproved) =
@@ -136,7 +136,7 @@ pub(in crate::build) struct FeasibilityInput {
 /// Curvature, coverage of peaks and diagonals of a patch.
 pub(in crate::build) const FEASIBILITY: Stage<FeasibilityInput, Measured, Feasibility> = Stage {
     name: "feasibility",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (surface, curvature, domain, u, v), _| {
         let maps = Maps {

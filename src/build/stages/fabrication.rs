@@ -105,6 +105,9 @@ pub(in crate::build) const STICKERS: Stage<
 pub(in crate::build) struct SupportInput {
     pub(in crate::build) supports: Supports,
     pub(in crate::build) bolt: Bolt,
+    /// Whether the project has a section on supports. Where it has none, usual supports are made
+    /// if they can be, and nothing is said about them.
+    pub(in crate::build) asked: bool,
 }
 
 type SupportNeeds = (Node<Plan>, Vec<Node<Plan>>, Vec<Node<()>>);
@@ -121,7 +124,12 @@ pub(in crate::build) const SUPPORTS: Stage<SupportInput, SupportNeeds, Vec<Suppo
                 supports: &input.supports,
                 bolt: &input.bolt,
             };
-            outcome(supports::records(&plan, inputs))
+            let made = supports::records(&plan, inputs);
+            if input.asked {
+                outcome(made)
+            } else {
+                plain(made.map(|made| made.value).unwrap_or_default())
+            }
         },
     };
 

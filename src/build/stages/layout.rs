@@ -53,7 +53,7 @@ pub(in crate::build) const LINE: Stage<
     Side,
 > = Stage {
     name: "line",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |(), (surface, from, to), _| {
         let mesh = &surface.mesh;

@@ -63,11 +63,16 @@ pub(super) fn check(
         let is_cut = path.starts_with("fabrication/")
             && path.contains("_sheet-")
             && !path.ends_with(".overview.svg")
-            && (path.ends_with(".dxf") || path.ends_with(".svg"));
+            && matches!(ending(path), "dxf" | "svg");
         if is_cut && !known.contains(path) {
             findings.unexpected(path);
         }
     }
+}
+
+/// What follows the last dot of a path.
+fn ending(path: &str) -> &str {
+    path.rsplit('.').next().unwrap_or_default()
 }
 
 fn cut_file<'a>(folder: &'a Folder, end: &str, format: &str) -> Option<&'a String> {
@@ -278,7 +283,7 @@ pub(super) fn check_parts(
     }
     for path in folder
         .keys()
-        .filter(|p| p.starts_with("parts/") && p.ends_with(".dxf"))
+        .filter(|p| p.starts_with("parts/") && ending(p) == "dxf")
     {
         if !known.contains(path) {
             findings.unexpected(path);

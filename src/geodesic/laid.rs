@@ -1,0 +1,115 @@
+//! Faces laid out in one plane, one after the other along a strip.
+
+use super::charts::{Charts, Step};
+use crate::surface::{HalfEdge, Mesh, SurfacePoint};
+
+/// A point or vector of the plane.
+pub(super) type V2 = [f64; 2];
+
+pub(super) fn sub(a: V2, b: V2) -> V2 {
+    [a[0] - b[0], a[1] - b[1]]
+}
+
+/// Positive where `b` lies left of `a`.
+pub(super) fn cross(a: V2, b: V2) -> f64 {
+    a[0] * b[1] - a[1] * b[0]
+}
+
+pub(super) fn dot(a: V2, b: V2) -> f64 {
+    a[0] * b[0] + a[1] * b[1]
+}
+
+pub(super) fn norm(a: V2) -> f64 {
+    dot(a, a).sqrt()
+}
+
+/// A face in the plane, seen over the half-edge by which it was entered: who walks into it has
+/// the half-edge's origin on the left and its target on the right.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Laid {
+    pub(super) entry: HalfEdge,
+    /// Image of the origin of `entry`.
+    pub(super) left: V2,
+    /// Image of its target.
+    pub(super) right: V2,
+}
+
+impl Laid {
+    /// The face above a half-edge, with a point of it at the origin of the plane.
+    pub(super) fn around(
+        mesh: &Mesh,
+        charts: &Charts,
+        entry: HalfEdge,
+        point: &SurfacePoint,
+    ) -> Option<Self> {
+        let [x, y] = charts.coordinates(mesh, entry, point)?;
+        Some(Self {
+            entry,
+            left: [-x, -y],
+            right: [charts.chart(entry).length - x, -y],
+        })
+    }
+
+    /// Image of a point of the entry's chart.
+    pub(super) fn place(&self, charts: &Charts, [x, y]: V2) -> V2 {
+        let [ux, uy] = self.axis(charts);
+        [
+            self.left[0] + ux * x - uy * y,
+            self.left[1] + uy * x + ux * y,
+        ]
+    }
+
+    /// A direction of the plane in the entry's chart.
+    pub(super) fn to_chart(&self, charts: &Charts, [x, y]: V2) -> V2 {
+        let [ux, uy] = self.axis(charts);
+        [ux * x + uy * y, ux * y - uy * x]
+    }
+
+    /// A direction of the entry's chart in the plane.
+    pub(super) fn from_chart(&self, charts: &Charts, [x, y]: V2) -> V2 {
+        let [ux, uy] = self.axis(charts);
+        [ux * x - uy * y, uy * x + ux * y]
+    }
+
+    /// Image of the corner opposite the entry.
+    pub(super) fn apex(&self, charts: &Charts) -> V2 {
+        apex(self.left, self.right, &charts.steps[self.entry.0 as usize])
+    }
+
+    /// Image of a point, if it lies in or on the face.
+    pub(super) fn image(&self, mesh: &Mesh, charts: &Charts, point: &SurfacePoint) -> Option<V2> {
+        let coordinates = charts.coordinates(mesh, self.entry, point)?;
+        Some(self.place(charts, coordinates))
+    }
+
+    /// The face beyond a half-edge of this one; `None` at the border.
+    pub(super) fn across(&self, mesh: &Mesh, charts: &Charts, exit: HalfEdge) -> Option<Self> {
+        let entry = mesh.twin(exit)?;
+        let (left, right) = if exit == self.entry {
+            (self.right, self.left)
+        } else if exit == self.entry.next() {
+            (self.apex(charts), self.right)
+        } else {
+            (self.left, self.apex(charts))
+        };
+        Some(Self { entry, left, right })
+    }
+
+    #[inline]
+    fn axis(&self, charts: &Charts) -> V2 {
+        let length = charts.chart(self.entry).length;
+        let along = sub(self.right, self.left);
+        [along[0] / length, along[1] / length]
+    }
+}
+
+/// Image of the corner opposite a half-edge, from the images of its ends.
+#[inline]
+pub(super) fn apex(left: V2, right: V2, step: &Step) -> V2 {
+    let [ex, ey] = sub(right, left);
+    let [along, across] = step.apex;
+    [
+        left[0] + ex * along - ey * across,
+        left[1] + ey * along + ex * across,
+    ]
+}

@@ -1,0 +1,242 @@
+//! Tables, followed paths and single paths against the exact solver.
+
+use crate::meshes::{Random, all, bipyramid, compact, cylinder, grid, jittered, sphere_cap};
+use egg::geodesic::{GeodesicError, Geodesics, Grounds, Known, Reach, Table};
+use egg::surface::{HalfEdge, Mesh, SurfacePoint};
+
+/// Points evenly along the shortest path between two vertices close to places in plan.
+fn row(mesh: &Mesh, from: [f64; 2], to: [f64; 2], count: usize) -> Vec<SurfacePoint> {
+    let near = |[x, y]: [f64; 2]| {
+        let far = |v: &u32| {
+            let p = mesh.position(*v);
+            (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y)
+        };
+        (0..mesh.vertex_count())
+            .min_by(|v, w| far(v).total_cmp(&far(w)))
+            .unwrap()
+    };
+    let ends = [near(from), near(to)].map(SurfacePoint::Vertex);
+    let path = Geodesics::new(mesh).shortest(&ends[0], &ends[1]).unwrap();
+    let share = |i: usize| i as f64 / (count - 1) as f64;
+    (0..count)
+        .map(|i| path.point_at(mesh, path.length * share(i)))
+        .collect()
+}
+
+/// Compares all pairs with the exact solver's, and directions where the path is the same.
+fn compare(name: &str, mesh: &Mesh, from: &[SurfacePoint], to: &[SurfacePoint]) -> Table {
+    let geodesics = Geodesics::new(mesh);
+    let table = geodesics.table(from, to).unwrap();
+    let certificate = table.certificate;
+    assert_eq!(
+        certificate.exact + certificate.agreed,
+        from.len() * to.len(),
+        "{name}"
+    );
+    for (i, source) in from.iter().enumerate() {
+        let field = geodesics.field(source, Reach::Targets(to)).unwrap();
+        for (j, target) in to.iter().enumerate() {
+            let pair = table.pair(i, j);
+            let truth = field.arrival(target).unwrap();
+            let error = (pair.length - truth.length).abs() / truth.length;
+            assert!(
+                error < 1e-12,
+                "{name}, {i} to {j} ({:?}): {} for {}",
+                table.known(i, j),
+                pair.length,
+                truth.length
+            );
+            assert!((pair.start.direction.norm() - 1.0).abs() < 1e-12);
+            assert!(source.bary_in(mesh, pair.start.face).is_some());
+            assert!(target.bary_in(mesh, pair.end.face).is_some());
+        }
+    }
+    table
+}
+
+/// Both tables of a square patch, an eighth inside a surface over [-1, 1]² scaled.
+fn patch(name: &str, mesh: &Mesh, half: [f64; 2], count: usize) -> [Table; 2] {
+    let [x, y] = half;
+    let at = |a: [f64; 2], b: [f64; 2]| row(mesh, a, b, count);
+    let (low, high) = (at([-x, -y], [x, -y]), at([-x, y], [x, y]));
+    let (left, right) = (at([-x, -y], [-x, y]), at([x, -y], [x, y]));
+    [
+        compare(name, mesh, &low, &high),
+        compare(name, mesh, &left, &right),
+    ]
+}
+
+#[test]
+fn tables_over_a_hill_hold_the_shortest_paths_on_either_side() {
+    for seed in 0..3 {
+        let hill = |x: f64, y: f64| 0.5 * (-4.0 * (x * x + y * y)).exp();
+        let mesh = jittered([30, 30], [2.0, 2.0], 0.3, seed, all, hill);
+        for table in patch("hill", &mesh, [0.8, 0.8], 24) {
+            assert_eq!(table.certificate.grounds, Grounds::Bracketed);
+            assert_eq!(table.known(0, 5), Known::Exact);
+        }
+    }
+}
+
+#[test]
+fn tables_of_caps_valleys_and_slivers_are_exact() {
+    let cap = sphere_cap(30, 2.0, 0.6);
+    patch("cap", &cap, [0.8, 0.8], 24);
+    let valley = |x: f64, y: f64| 0.3 * (2.0 * x).sin() * (3.0 * y).cos();
+    patch(
+        "valley",
+        &jittered([30, 30], [2.0, 2.0], 0.3, 1, all, valley),
+        [0.8, 0.8],
+        20,
+    );
+    let slope = |x: f64, y: f64| 0.3 * x * x + 0.1 * x * y;
+    patch(
+        "slivers",
+        &jittered([100, 8], [2.0, 2.0], 0.2, 2, all, slope),
+        [0.8, 0.8],
+        20,
+    );
+}
+
+#[test]
+fn tables_between_borders_and_around_holes_are_exact() {
+    let wave = |x: f64, y: f64| 0.2 * (2.0 * x + y).sin();
+    let mesh = jittered([20, 20], [2.0, 2.0], 0.3, 3, all, wave);
+    patch("borders", &mesh, [1.0, 1.0], 16);
+    let hole = |i: usize, j: usize| !((8..12).contains(&i) && (7..13).contains(&j));
+    let mesh = jittered([20, 20], [2.0, 2.0], 0.3, 4, hole, wave);
+    patch("hole", &mesh, [0.8, 0.8], 16);
+    let tube = cylinder(10, 1.0, 2.0, 1.0);
+    let ring = |first: u32| -> Vec<SurfacePoint> {
+        (first..first + 16).map(SurfacePoint::Vertex).collect()
+    };
+    let below = 10 * 30;
+    compare("tube", &tube, &ring(0), &ring(below));
+}
+
+#[test]
+fn on_a_saddle_one_solve_is_enough_because_geodesics_are_unique() {
+    let mesh = grid(24, 24, [false; 2], all, |u, v| {
+        let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+        [x, y, 0.5 * (x * x - y * y)]
+    });
+    for table in patch("saddle", &mesh, [0.8, 0.8], 24) {
+        let certificate = table.certificate;
+        assert_eq!(certificate.grounds, Grounds::Unique);
+        assert_eq!((certificate.solves, certificate.exact), (1, 24));
+    }
+    // A hole lets geodesics pass on both sides.
+    let holed = grid(
+        24,
+        24,
+        [false; 2],
+        |i, j| !((10..14).contains(&i) && (10..14).contains(&j)),
+        |u, v| {
+            let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
+            [x, y, 0.5 * (x * x - y * y)]
+        },
+    );
+    let [table, _] = patch("holed saddle", &holed, [0.8, 0.8], 16);
+    assert_eq!(table.certificate.grounds, Grounds::Solved);
+    assert_eq!(table.certificate.solves, 16);
+}
+
+#[test]
+fn single_paths_are_those_of_the_exact_solver() {
+    for seed in 0..40_u64 {
+        let rough = |x: f64, y: f64| 0.4 * (4.0 * x).sin() * (3.0 * y).cos();
+        let mesh = match seed % 4 {
+            0 => bipyramid(5 + seed as usize, 0.4, seed),
+            1 => jittered(
+                [12, 12],
+                [2.0, 2.0],
+                0.6,
+                seed,
+                |i, j| !((4..8).contains(&i) && j > 3),
+                rough,
+            ),
+            2 => jittered([30, 4], [1.0, 2.0], 0.6, seed, all, rough),
+            _ => jittered([12, 12], [2.0, 2.0], 0.5, seed, all, rough),
+        };
+        let geodesics = Geodesics::new(&mesh);
+        let mut random = Random(seed);
+        for _ in 0..25 {
+            let (from, to) = (random.point(&mesh), random.point(&mesh));
+            if from == to {
+                continue;
+            }
+            let field = geodesics.field(&from, Reach::Targets(&[to])).unwrap();
+            let truth = field.distance(&to).unwrap();
+            let path = geodesics.shortest(&from, &to).unwrap();
+            let sum = *path.arc_lengths(&mesh).last().unwrap();
+            assert!(
+                (path.length - truth).abs() <= 1e-11 * truth && (sum - truth).abs() <= 1e-9 * truth,
+                "seed {seed}: {from:?} to {to:?}: {} for {truth}, points {sum}",
+                path.length
+            );
+        }
+    }
+}
+
+#[test]
+fn a_followed_path_stays_the_shortest_where_it_is_the_only_one() {
+    let mesh = jittered([24, 24], [2.0, 2.0], 0.0, 0, all, |x, y| x * y);
+    let geodesics = Geodesics::new(&mesh);
+    let ends = row(&mesh, [-0.8, 0.9], [0.8, 0.9], 60);
+    let source = row(&mesh, [-0.8, -0.9], [0.8, -0.9], 3)[1];
+    let first = geodesics.shortest(&source, &ends[0]).unwrap();
+    let mut branch = geodesics.follow(&first).unwrap();
+    for end in &ends[1..] {
+        let truth = geodesics.shortest(&source, end).unwrap();
+        let found = branch.to(end).unwrap();
+        assert!((found.length - truth.length).abs() < 1e-12);
+        assert!((found.start.direction - truth.start.direction).norm() < 1e-9);
+        assert!((found.end.direction - truth.end.direction).norm() < 1e-9);
+    }
+}
+
+#[test]
+fn tables_that_cannot_be_are_errors() {
+    let points = [
+        [0.0, 0.0, 0.0],
+        [1.0, 0.0, 0.0],
+        [0.0, 1.0, 0.0],
+        [5.0, 0.0, 0.0],
+        [6.0, 0.0, 0.0],
+        [5.0, 1.0, 0.0],
+    ];
+    let faces = vec![[0, 1, 2], [3, 4, 5]];
+    let two = compact(points.iter().map(|&p| p.into()).collect(), faces);
+    let geodesics = Geodesics::new(&two);
+    let [here, there, beyond] = [0, 1, 4].map(SurfacePoint::Vertex);
+    let error = |from: &[SurfacePoint], to: &[SurfacePoint]| geodesics.table(from, to).unwrap_err();
+    assert_eq!(
+        error(&[here], &[there, beyond]),
+        GeodesicError::Unreachable { target: beyond }
+    );
+    assert_eq!(
+        error(&[here, there], &[there]),
+        GeodesicError::Coincident { point: there }
+    );
+    let nowhere = SurfacePoint::Edge {
+        half_edge: HalfEdge(99),
+        at: 0.5,
+    };
+    assert_eq!(
+        error(&[nowhere], &[there]),
+        GeodesicError::InvalidPoint { point: nowhere }
+    );
+    assert!(
+        geodesics
+            .table(&[], &[there])
+            .is_ok_and(|t| t.certificate.exact == 0)
+    );
+    assert_eq!(
+        geodesics.shortest(&here, &beyond).unwrap_err(),
+        GeodesicError::Unreachable { target: beyond }
+    );
+    assert_eq!(
+        geodesics.shortest(&here, &here).unwrap_err(),
+        GeodesicError::Coincident { point: here }
+    );
+}
