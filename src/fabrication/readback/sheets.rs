@@ -142,7 +142,7 @@ fn check_sheet(
     for (cuts, what) in [(&outer, "outline"), (&inner, "opening")] {
         let spare = cuts
             .iter()
-            .filter(|cut| !cut.used && !(what == "opening" && pin(cut)));
+            .filter(|cut| !(cut.used || what == "opening" && pin(cut)));
         for cut in spare {
             let [x, y] = cut.bounds.min;
             let whose = cut.curve.subject.as_deref().unwrap_or("unknown");
