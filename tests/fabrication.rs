@@ -69,7 +69,7 @@ fn svg_and_dxf_of_a_drawing_are_the_same_to_a_micrometre() {
     // Drawings that were compared, pictures that were rendered.
     assert_eq!(
         script(&Job::desktop().write("desktop-pictures")).trim(),
-        "5 8"
+        "5 9"
     );
     assert_eq!(
         script(&Job::pavilion().write("pavilion-pictures")).trim(),

@@ -65,9 +65,24 @@ pub(super) fn compare(
     }
 }
 
-/// Class, then how many tolerances the worst value is away.
+/// Class, then whether it is a point (what a user moved comes before what follows from that), then
+/// how many tolerances the worst value is away.
 #[derive(Debug, Clone, Copy, PartialEq)]
-struct Weight(Class, f64);
+struct Weight {
+    class: Class,
+    is_point: bool,
+    ratio: f64,
+}
+
+impl Weight {
+    fn new(kind: Kind, class: Class, ratio: f64) -> Reverse<Self> {
+        Reverse(Self {
+            class,
+            is_point: kind == Kind::Point,
+            ratio,
+        })
+    }
+}
 
 impl Eq for Weight {}
 
@@ -79,7 +94,9 @@ impl PartialOrd for Weight {
 
 impl Ord for Weight {
     fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        self.0.cmp(&other.0).then(self.1.total_cmp(&other.1))
+        (self.class, self.is_point)
+            .cmp(&(other.class, other.is_point))
+            .then(self.ratio.total_cmp(&other.ratio))
     }
 }
 
@@ -114,7 +131,7 @@ impl Comparison<'_> {
             items: Vec::new(),
             used_on: Vec::new(),
         };
-        (Reverse(Weight(part.presence, f64::INFINITY)), change)
+        (Weight::new(part.kind, part.presence, f64::INFINITY), change)
     }
 
     /// A part that is on both sides; nothing if nothing changed above tolerance.
@@ -143,7 +160,7 @@ impl Comparison<'_> {
             items,
             used_on: Vec::new(),
         };
-        Some((Reverse(Weight(class, worst.ratio)), change))
+        Some((Weight::new(after.kind, class, worst.ratio), change))
     }
 
     /// Values that changed above tolerance.

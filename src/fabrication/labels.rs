@@ -65,18 +65,17 @@ pub fn place(strip: &Strip, end_label: [&str; 2], height: f64) -> Labels {
         .filter(|place| !place.label.is_empty())
     {
         let whole = format!("{}{}", place.label, place.slide.unwrap_or_default());
-        match free.beside(strip, place, &whole, height) {
-            Some(text) => labels.texts.push(text),
-            None => {
-                // Better a name without an arrow than neither.
-                if place.slide.is_some()
-                    && let Some(text) = free.beside(strip, place, &place.label, height)
-                {
-                    labels.texts.push(text);
-                }
-                labels.omitted.push(whole);
-            }
+        if let Some(text) = free.beside(strip, place, &whole, height) {
+            labels.texts.push(text);
+            continue;
         }
+        // Better a name without an arrow than neither.
+        if place.slide.is_some()
+            && let Some(text) = free.beside(strip, place, &place.label, height)
+        {
+            labels.texts.push(text);
+        }
+        labels.omitted.push(whole);
     }
     for end in [End::Start, End::End] {
         match free.near(strip, end, end_label, height) {

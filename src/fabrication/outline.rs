@@ -35,8 +35,8 @@ pub fn of(piece: &Piece<'_>, kerf: f64) -> Path {
     let grow = 0.5 * kerf;
     // Each end in its own frame: x into the wood from the nominal end, y across from the edge
     // where the path arrives.
-    let right = end(&piece.end, width, grow);
-    let left = end(&piece.start, width, grow);
+    let right = end(piece.end, width, grow);
+    let left = end(piece.start, width, grow);
     let mut vertices: Vec<Vertex> = right
         .into_iter()
         .map(|v| Vertex {
@@ -62,7 +62,7 @@ pub fn rectangle(length: f64, width: f64, kerf: f64) -> Path {
     Path::rectangle([-grow, -grow], [length + grow, width + grow])
 }
 
-fn end(end: &End<'_>, width: f64, grow: f64) -> Vec<Vertex> {
+fn end(end: End<'_>, width: f64, grow: f64) -> Vec<Vertex> {
     let straight = |x, y| Vertex { x, y, bulge: 0.0 };
     match end {
         End::Round => {

@@ -376,7 +376,7 @@ pub fn support_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>
             files.both(&format!("{name}.template"), &drawing);
         }
         if let Some(solid) = supports::solid::of(support) {
-            files.files.push(OutputFile {
+            files.made.push(OutputFile {
                 path: format!("{name}.stl"),
                 bytes: supports::solid::stl(&support.id, &solid),
             });
@@ -384,7 +384,7 @@ pub fn support_files(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>
         }
     }
     if !solids.is_empty() {
-        files.files.push(OutputFile {
+        files.made.push(OutputFile {
             path: "supports/supports.3mf".to_owned(),
             bytes: supports::solid::three_mf(&solids),
         });
@@ -478,7 +478,7 @@ fn kerf_errors(plan: &Plan, fabrication: &Fabrication) -> Option<Diagnostic> {
 /// Files in the making, and drawings that cannot be written.
 #[derive(Default)]
 struct Files {
-    files: Vec<OutputFile>,
+    made: Vec<OutputFile>,
     errors: Vec<Diagnostic>,
     warnings: Vec<Diagnostic>,
 }
@@ -498,7 +498,7 @@ impl Files {
     fn add(&mut self, name: &str, format: &str, written: Result<Vec<u8>, NotFinite>) {
         let path = format!("{name}.{format}");
         match written {
-            Ok(bytes) => self.files.push(OutputFile { path, bytes }),
+            Ok(bytes) => self.made.push(OutputFile { path, bytes }),
             Err(NotFinite { layer, subject }) => self.errors.push(
                 Diagnostic::error(
                     codes::NOT_A_NUMBER,
@@ -515,7 +515,7 @@ impl Files {
     fn finish(self) -> Checked<Vec<OutputFile>> {
         if self.errors.is_empty() {
             Ok(Warned {
-                value: self.files,
+                value: self.made,
                 warnings: self.warnings,
             })
         } else {

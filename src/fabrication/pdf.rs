@@ -29,9 +29,10 @@ pub fn write(title: &str, drawings: &[Drawing]) -> Result<Vec<u8>, NotFinite> {
         let [page_id, content_id] = [next.bump(), next.bump()];
         kids.push(page_id);
         let [width, height] = drawing.size;
-        let paper = match width >= height {
-            true => PAPER,
-            false => [PAPER[1], PAPER[0]],
+        let paper = if width >= height {
+            PAPER
+        } else {
+            [PAPER[1], PAPER[0]]
         };
         let mut page = pdf.page(page_id);
         let [right, top] = paper.map(|side| (side * POINTS) as f32);

@@ -119,9 +119,12 @@ impl Charts {
             .map(|v| mesh.is_border_vertex(v) || total_angles[v as usize] > full + FLAT)
             .collect();
         let curvatures = vertices()
-            .map(|v| match mesh.is_border_vertex(v) {
-                true => 0.0,
-                false => full - total_angles[v as usize],
+            .map(|v| {
+                if mesh.is_border_vertex(v) {
+                    0.0
+                } else {
+                    full - total_angles[v as usize]
+                }
             })
             .collect();
         Self {

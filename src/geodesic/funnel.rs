@@ -142,7 +142,7 @@ mod tests {
         pull(&gates, [0.0, 5.0], &mut bends);
         let at: Vec<V2> = bends.iter().map(|b| b.at).collect();
         assert_eq!(at, [[1.0, 1.0], [1.0, 2.0], [-0.5, 3.0]]);
-        let truth = 2.0_f64.sqrt() + 1.0 + 1.5_f64.hypot(1.0) + 0.5_f64.hypot(2.0);
+        let truth = 2.0_f64.sqrt() + 1.0 + libm::hypot(1.5, 1.0) + libm::hypot(0.5, 2.0);
         assert!((length(&bends, [0.0, 5.0]) - truth).abs() < 1e-15);
     }
 }

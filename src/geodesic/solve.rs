@@ -287,8 +287,7 @@ impl<'a> Sweep<'a> {
         list.clear();
         let [at_a, _, at_c] = at;
         for (w, &to_c) in windows.iter().zip(crossings) {
-            // Not for NaN either.
-            if !(to_c > w.b0) {
+            if to_c.is_nan() || to_c <= w.b0 {
                 continue;
             }
             let end = (to_c > w.b1).then_some(w.b1);
@@ -316,7 +315,7 @@ impl<'a> Sweep<'a> {
         list.clear();
         let [_, at_b, at_c] = at;
         for (w, &to_c) in windows.iter().zip(crossings) {
-            if !(to_c < w.b1) {
+            if to_c.is_nan() || to_c >= w.b1 {
                 continue;
             }
             let begin = (to_c < w.b0).then_some(w.b0);

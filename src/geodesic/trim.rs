@@ -17,6 +17,7 @@ use super::window::Window;
 const TOUCHING: f64 = 1e-13;
 
 /// Appends the window that lies right of all others where it entered the face.
+#[expect(clippy::inline_always, reason = "a window stays in registers")]
 #[inline(always)]
 pub(super) fn push(list: &mut Vec<Window>, mut new: Window) {
     while let Some(last) = list.last_mut() {

@@ -32,12 +32,12 @@ fn a_browser_shows_rows_and_shapes_of_the_same_part() {
 }
 
 #[test]
-fn a_browser_shows_what_another_member_does_to_the_pavilion() {
+fn a_browser_shows_what_a_member_less_does_to_the_pavilion() {
     let workshop = Workshop::new();
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("projects/pavilion");
     let read = |name: &str| std::fs::read_to_string(folder.join(name)).expect("a file");
     let (text, mesh) = (read("pavilion.toml"), read("pavilion.obj"));
-    let edited = text.replace("members = { u = 8, v = 10 }", "members = { u = 9, v = 10 }");
+    let edited = text.replace("members = { u = 8, v = 10 }", "members = { u = 8, v = 9 }");
     assert_ne!(text, edited);
     for (side, text) in [("before", text), ("after", edited)] {
         workshop.write(&format!("{side}/pavilion.toml"), text);

@@ -44,7 +44,7 @@ type SkeletonNeeds = (
 /// Surface, points and edges.
 pub(in crate::build) const SKELETON: Stage<SkeletonInput, SkeletonNeeds, Plan> = Stage {
     name: "skeleton",
-    version: 3,
+    version: 4,
     numerics: Numerics::Portable,
     run: |input, (surface, curvature, points, lines), _| {
         let points = input

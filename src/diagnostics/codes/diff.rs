@@ -105,7 +105,7 @@ that a newer egg no longer compiles.",
     },
     CodeInfo {
         code: "E0828",
-        name: "plan-unreadable",
+        name: "unreadable-plan",
         title: "a plan cannot be read",
         text: "\
 The file is no plan that `egg build` wrote, or it was edited or cut off. Build it again; plans are \

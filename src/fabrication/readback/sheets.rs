@@ -63,11 +63,16 @@ pub(super) fn check(
         let is_cut = path.starts_with("fabrication/")
             && path.contains("_sheet-")
             && !path.ends_with(".overview.svg")
-            && (path.ends_with(".dxf") || path.ends_with(".svg"));
+            && matches!(ending(path), "dxf" | "svg");
         if is_cut && !known.contains(path) {
             findings.unexpected(path);
         }
     }
+}
+
+/// What follows the last dot of a path.
+fn ending(path: &str) -> &str {
+    path.rsplit('.').next().unwrap_or_default()
 }
 
 fn cut_file<'a>(folder: &'a Folder, end: &str, format: &str) -> Option<&'a String> {
@@ -137,7 +142,7 @@ fn check_sheet(
     for (cuts, what) in [(&outer, "outline"), (&inner, "opening")] {
         let spare = cuts
             .iter()
-            .filter(|cut| !cut.used && !(what == "opening" && pin(cut)));
+            .filter(|cut| !(cut.used || what == "opening" && pin(cut)));
         for cut in spare {
             let [x, y] = cut.bounds.min;
             let whose = cut.curve.subject.as_deref().unwrap_or("unknown");
@@ -278,7 +283,7 @@ pub(super) fn check_parts(
     }
     for path in folder
         .keys()
-        .filter(|p| p.starts_with("parts/") && p.ends_with(".dxf"))
+        .filter(|p| p.starts_with("parts/") && ending(p) == "dxf")
     {
         if !known.contains(path) {
             findings.unexpected(path);

@@ -30,7 +30,7 @@ pub(super) fn read(text: &str) -> Result<Read, String> {
                     vec![circle(&attributes, height)?]
                 };
                 let layer = layer.clone().ok_or("a shape stands on no layer")?;
-                let subject = attributes.get("inkscape:label").map(|s| s.to_string());
+                let subject = attributes.get("inkscape:label").map(ToString::to_string);
                 curves.extend(shapes.into_iter().map(|geometry| Curve {
                     layer: layer.clone(),
                     subject: subject.clone(),
