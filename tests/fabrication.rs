@@ -73,7 +73,7 @@ fn svg_and_dxf_of_a_drawing_are_the_same_to_a_micrometre() {
     );
     assert_eq!(
         script(&Job::pavilion().write("pavilion-pictures")).trim(),
-        "16 20"
+        "16 21"
     );
 }
 

@@ -87,10 +87,10 @@ fn readers_of_drawings_find_the_openings_of_the_plan_in_the_files_of_the_project
     assert_eq!(
         found,
         [
-            "20 126 72 / 4 7",
-            "22 162 80 / 4 7",
-            "18 98 64 / 25 28",
-            "37 101 127 / 6 11",
+            "20 126 72 / 4 8",
+            "22 162 80 / 4 8",
+            "18 98 64 / 25 29",
+            "37 101 127 / 6 12",
         ]
     );
 }
