@@ -60,13 +60,13 @@ impl Laid {
     }
 
     /// A direction of the plane in the entry's chart.
-    pub(super) fn to_chart(&self, charts: &Charts, [x, y]: V2) -> V2 {
+    pub(super) fn in_chart(&self, charts: &Charts, [x, y]: V2) -> V2 {
         let [ux, uy] = self.axis(charts);
         [ux * x + uy * y, ux * y - uy * x]
     }
 
     /// A direction of the entry's chart in the plane.
-    pub(super) fn from_chart(&self, charts: &Charts, [x, y]: V2) -> V2 {
+    pub(super) fn in_plane(&self, charts: &Charts, [x, y]: V2) -> V2 {
         let [ux, uy] = self.axis(charts);
         [ux * x - uy * y, uy * x + ux * y]
     }

@@ -296,7 +296,7 @@ impl<'a> Relaxer<'a> {
         let before = self.bends.last().map_or([0.0; 2], |b| b.at);
         let tangent = |laid: &Laid, direction: V2| Tangent {
             face: laid.entry.face(),
-            direction: Charts::to_space(mesh, laid.entry, laid.to_chart(charts, direction)),
+            direction: Charts::to_space(mesh, laid.entry, laid.in_chart(charts, direction)),
         };
         Some(Tight {
             length,

@@ -64,7 +64,7 @@ impl Geodesics<'_> {
             .par_iter()
             .map(|&row| self.paths(&from[row], &to))
             .collect::<Result<_, _>>()?;
-        let columns: Vec<Vec<Option<Cell>>> = (0..to.len())
+        let mut columns: Vec<Vec<Option<Cell>>> = (0..to.len())
             .into_par_iter()
             .map(|j| {
                 let seeds = rows.iter().zip(&solved);
@@ -75,25 +75,18 @@ impl Geodesics<'_> {
         let mut solves = rows.len();
         let mut cells = Vec::with_capacity(from.len() * to.len());
         for (i, source) in from.iter().enumerate() {
-            let row = || columns.iter().map(|column| column[i]);
-            let open: Vec<SurfacePoint> = row()
-                .zip(&to)
-                .filter_map(|(cell, target)| cell.is_none().then_some(*target))
-                .collect();
-            let mut paths = Vec::new().into_iter();
+            let open: Vec<usize> = (0..to.len()).filter(|&j| columns[j][i].is_none()).collect();
             if !open.is_empty() {
                 solves += 1;
-                paths = self.paths(source, &open)?.into_iter();
-            }
-            for cell in row() {
-                cells.push(match cell {
-                    Some(cell) => cell,
-                    None => Cell {
-                        arrival: arrival(&paths.next().expect("one for each open pair")),
+                let targets: Vec<SurfacePoint> = open.iter().map(|&j| to[j]).collect();
+                for (j, path) in open.into_iter().zip(self.paths(source, &targets)?) {
+                    columns[j][i] = Some(Cell {
+                        arrival: arrival(&path),
                         kind: Known::Exact,
-                    },
-                });
+                    });
+                }
             }
+            cells.extend(columns.iter().filter_map(|column| column[i]));
         }
         let mut table = Draft {
             geodesics: self,

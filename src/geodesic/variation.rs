@@ -48,22 +48,29 @@ pub fn angle_between(
 }
 
 /// The angle around a vertex, the shorter way; around a border vertex there is only one.
+///
+/// A direction of travel may point out of its face: that of a path which arrives at the vertex.
 fn angle_around(mesh: &Mesh, v: u32, one: &Tangent, other: &Tangent) -> f64 {
     let mut total = 0.0;
     let mut places = [0.0; 2];
     for h in mesh.outgoing(v) {
         let along = mesh.edge_vector(h);
+        let last = -mesh.edge_vector(HalfEdge::prev(h));
+        let normal = along.cross(&last);
         for (place, tangent) in places.iter_mut().zip([one, other]) {
             if tangent.face == h.face() {
-                *place = total + flat_angle(&along, &tangent.direction);
+                let turn = flat_angle(&along, &tangent.direction);
+                let onwards = along.cross(&tangent.direction).dot(&normal) >= 0.0;
+                *place = total + if onwards { turn } else { -turn };
             }
         }
-        total += flat_angle(&along, &-mesh.edge_vector(HalfEdge::prev(h)));
+        total += flat_angle(&along, &last);
     }
     let between = (places[0] - places[1]).abs();
     let shorter = if mesh.is_border_vertex(v) {
         between
     } else {
+        let between = between % total;
         between.min(total - between)
     };
     shorter.min(PI)

@@ -100,7 +100,7 @@ impl<'a> Walk<'a> {
         let (mesh, charts) = (self.mesh, self.charts);
         let laid = face_at(mesh, charts, &self.from, &self.base, start.face)?;
         let along = Charts::from_space(mesh, laid.entry, &start.direction);
-        let at = laid.from_chart(charts, along.map(|x| x * length));
+        let at = laid.in_plane(charts, along.map(|x| x * length));
         let (base, strip) = (&self.base, &mut self.strip);
         let shot = self.shooter.shoot(&self.from, base, at, end, strip)?;
         self.step(&shot.end, to)
