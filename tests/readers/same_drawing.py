@@ -38,7 +38,9 @@ def svg_curves(path):
             assert not {"transform", "class", "style"} & set(element.keys())
             if element.tag == SVG + "circle":
                 cx, cy, r = (float(element.get(k)) for k in ("cx", "cy", "r"))
-                curves.append(list(Point(cx, height - cy).buffer(r, 128).exterior.coords))
+                # Chords stay within 0.0002 mm of it.
+                quarter = math.ceil(40 * math.sqrt(r)) + 4
+                curves.append(list(Point(cx, height - cy).buffer(r, quarter).exterior.coords))
             else:
                 for sub in Path(element.get("d")).as_subpaths():
                     curves.append(points(Path(sub), height))
