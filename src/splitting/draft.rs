@@ -60,7 +60,8 @@ impl Draft {
         if !taken.contains(wanted) {
             return wanted.to_owned();
         }
-        (2..)
+        // Of so many names one more than there are points is free.
+        (2..taken.len() + 3)
             .map(|n| format!("{wanted}-{n}"))
             .find(|name| !taken.contains(name.as_str()))
             .unwrap_or_default()

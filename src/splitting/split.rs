@@ -64,7 +64,7 @@ pub enum NoSplit {
     Cancelled,
 }
 
-impl<'a> Workshop<'a> {
+impl Workshop<'_> {
     pub(super) fn limits(&self) -> Limits {
         self.appraiser.limits
     }

@@ -191,17 +191,16 @@ fn evenness(plan: &Plan, rows: &mut Vec<Row>) {
         format!("{percent:.1} % ({})", strip.families.join(", "))
     };
     let strips: Vec<String> = plan.strips.iter().map(gained).collect();
-    let shown = match strips.len() {
-        0..=4 => strips.join("; "),
-        _ => {
-            let all = plan.strips.iter().map(|strip| strip.evenness_gained);
-            let (low, high) = (
-                all.clone().fold(f64::INFINITY, f64::min),
-                all.fold(1.0, f64::max),
-            );
-            let [low, high] = [low, high].map(|gained| 1e2 * (gained - 1.0));
-            format!("{low:.1} to {high:.1} % in {} strips", strips.len())
-        }
+    let shown = if strips.len() <= 4 {
+        strips.join("; ")
+    } else {
+        let all = plan.strips.iter().map(|strip| strip.evenness_gained);
+        let (low, high) = (
+            all.clone().fold(f64::INFINITY, f64::min),
+            all.fold(1.0, f64::max),
+        );
+        let [low, high] = [low, high].map(|gained| 1e2 * (gained - 1.0));
+        format!("{low:.1} to {high:.1} % in {} strips", strips.len())
     };
     rows.push((
         "evenness gained against even spacing on the first side".into(),

@@ -199,7 +199,7 @@ fn no_bytes_make_verify_panic() {
                 "summary",
             ];
             let not_read = path.contains("overview")
-                || path.ends_with(".xlsx")
+                || path.contains(".xlsx")
                 || for_people.iter().any(|start| path.starts_with(start));
             assert!(verify(&files).is_err() || not_read, "{path}");
         }
