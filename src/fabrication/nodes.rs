@@ -42,26 +42,24 @@ impl Node<'_> {
             let mut here = self.crossings.iter();
             here.any(|crossing| support.crossings.contains(&crossing.id))
         });
-        match support {
-            Some(support) => Fixing {
+        if let Some(support) = support {
+            return Fixing {
                 fastener: Some(Fastener::Bolt(support.bolt_length)),
                 stack,
                 washers: 1,
                 nuts: 0,
+            };
+        }
+        let series = Series::of(hardware.bolt.diameter);
+        let fastener = series.and_then(|s| s.fastener(stack).ok());
+        Fixing {
+            fastener,
+            stack,
+            washers: 2,
+            nuts: match fastener {
+                Some(Fastener::Rod(_)) => 2,
+                _ => 1,
             },
-            None => {
-                let series = Series::of(hardware.bolt.diameter);
-                let fastener = series.and_then(|s| s.fastener(stack).ok());
-                Fixing {
-                    fastener,
-                    stack,
-                    washers: 2,
-                    nuts: match fastener {
-                        Some(Fastener::Rod(_)) => 2,
-                        _ => 1,
-                    },
-                }
-            }
         }
     }
 }
