@@ -29,14 +29,15 @@ const STEPS: [Step; 5] = [
             "to cut: ",
             "points.a [150, 150] -> [151, 150]",
             "length ",
-            "point a  position moved 1 mm",
+            "point a ",
+            "position moved 1 mm",
         ],
     ),
     (
         "Take birch",
         "material",
         &[
-            "to cut: 19 of 19 lamellae anew",
+            "19 of 19 lamellae anew",
             "material poplar-plywood -> birch-plywood",
         ],
     ),
@@ -48,7 +49,7 @@ const STEPS: [Step; 5] = [
     (
         "Write centimetres",
         "units",
-        &["no part changes", "project.units \"mm\" -> \"cm\""],
+        &["no part changes", "lamella.width 20 -> \"20 mm\""],
     ),
 ];
 
