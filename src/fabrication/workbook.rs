@@ -21,7 +21,7 @@ pub struct Tab<'a> {
 /// The workbook.
 ///
 /// # Panics
-/// Never: names of tabs are fixed, and tables have fewer rows than a sheet takes.
+/// Never: names of tabs are fixed, and no table has the million rows of a sheet.
 pub fn write(title: &str, tabs: &[Tab<'_>]) -> Vec<u8> {
     made(title, tabs).expect("names of tabs are fixed, and tables have fewer rows than a sheet")
 }

@@ -193,7 +193,7 @@ pub fn stl(name: &str, solid: &Solid) -> Vec<u8> {
 /// All supports as objects of one 3MF, side by side on a plate in their order.
 ///
 /// # Panics
-/// Never: memory takes every byte.
+/// Never: memory takes every byte, and numbers and ids are XML.
 pub fn three_mf(solids: &[(&str, Solid)]) -> Vec<u8> {
     use threemf::model::{Build, Item, Metadata, Model, Object, Resources};
     let mut model = Model {
