@@ -19,7 +19,7 @@ use serde::{Deserialize, Serialize};
 /// Pieces of lamellae that are longer than the stock.
 pub(in crate::build) const SPLICES: Stage<Rules, Vec<Node<Plan>>, Vec<Spliced>> = Stage {
     name: "splices",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |rules, chapters, _| outcome(splice(&bind("", chapters.into_iter()), rules)),
 };

@@ -8,8 +8,8 @@
 //!
 //! - the square of the lamella's curvature there, and half that of its twist, both in shares of
 //!   the largest on the lamella ([`curve`]): bending stress grows with curvature;
-//! - ten times the square of its nearness to an opening, from the middle of the joint up to twice
-//!   the width or 30 mm;
+//! - ten, and ten times the square of the share that is missing, if its middle is nearer to an
+//!   opening than twice the width or 30 mm;
 //! - nearness in space to the joints of other lamellae, up to one and a half cells of the grid:
 //!   two joints side by side make a hinge. Where patches meet, the boundary lamellae of both are
 //!   staggered in this way as well.
@@ -234,7 +234,10 @@ impl<'a> Site<'a> {
         let s = self.on_member(x);
         let bend = square(self.curve.bend(s, self.chord) / self.bend_max);
         let twist = TWIST * square(self.curve.twist(s) / self.twist_max);
-        let near = CROSSING * square((1.0 - self.clear(x) / self.near).max(0.0));
+        let near = match 1.0 - self.clear(x) / self.near {
+            short if short > 0.0 => CROSSING * (1.0 + square(short)),
+            _ => 0.0,
+        };
         let place = self.place(x);
         let beside: f64 = joints
             .iter()
