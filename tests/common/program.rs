@@ -46,7 +46,12 @@ impl Workshop {
         command
             .args(arguments)
             .current_dir(self.directory.path())
-            .env("EGG_CACHE_DIR", self.path("cache"));
+            .env("EGG_CACHE_DIR", self.path("cache"))
+            // Temporary folders may lie inside of the checkout, which is none of the workshop's.
+            .env(
+                "GIT_CEILING_DIRECTORIES",
+                self.directory.path().parent().unwrap_or(Path::new("/")),
+            );
         // What would change its words, wherever the tests run.
         for name in ["NO_COLOR", "FORCE_COLOR", "CLICOLOR_FORCE", "TERM"] {
             command.env_remove(name);
