@@ -83,7 +83,8 @@ fn isolated<'c>(command: &'c mut Command, home: &Path) -> &'c mut Command {
         .env("HOME", home)
         .env("XDG_CONFIG_HOME", home)
         .env("GIT_CONFIG_NOSYSTEM", "1")
-        .env("GIT_CEILING_DIRECTORIES", home)
+        // A ceiling does not hold for a search that begins in it.
+        .env("GIT_CEILING_DIRECTORIES", home.parent().unwrap_or(home))
         .env("GIT_ALLOW_PROTOCOL", "file")
         .env("GIT_AUTHOR_NAME", "Ada")
         .env("GIT_AUTHOR_EMAIL", "ada@example.org")
