@@ -52,7 +52,8 @@ fn finished(console: Console, job: &Job, built: &Built, begin: Instant) {
         .as_ref()
         .map_or("", |p| p.name.as_str());
     let publication = &built.publication;
-    if built.succeeded() {
+    // A build that ran nothing says nothing new, and opens no result to say it.
+    if built.succeeded() && ran > 0 {
         nested(console, built);
     }
     console.record(&Finished {
