@@ -9,6 +9,7 @@ use super::index::PlanIndex;
 use super::nesting::Group;
 use super::nodes::{Node, nodes};
 use super::part::net_area;
+use super::sections;
 use super::sheet::trim;
 use super::splicing;
 use super::supports::drawing::layers;
@@ -40,7 +41,14 @@ pub fn rows(plan: &Plan, shopping: &Shopping<'_>) -> Checked<Vec<BomRow>> {
     let bolt = &shopping.hardware.bolt;
     let nodes = nodes(&plan.crossings, &index, 0.25 * bolt.diameter);
     let mut rows = panels(shopping);
-    rows.extend(lamellae(plan, shopping));
+    rows.extend(sections::rows(
+        "lamella",
+        "lamellae",
+        plan.lamellae
+            .iter()
+            .map(|lamella| (lamella, lamella.length)),
+        shopping.materials,
+    ));
     rows.extend(fasteners(plan, &nodes, shopping)?);
     rows.extend(shells(&nodes, shopping));
     rows.extend(stickers(plan, shopping));
@@ -98,44 +106,6 @@ fn panels(shopping: &Shopping<'_>) -> Vec<BomRow> {
                 unit_cost: stock
                     .price
                     .or_else(|| material.and_then(|m| m.price).map(|price| price * area)),
-            }
-        })
-        .collect()
-}
-
-/// Metres of each section: not bought as such, but what a panel becomes.
-fn lamellae(plan: &Plan, shopping: &Shopping<'_>) -> Vec<BomRow> {
-    let mut sections: BTreeMap<String, (usize, f64, &crate::plan::LamellaRecord)> = BTreeMap::new();
-    for lamella in &plan.lamellae {
-        let section = format!(
-            "lamella-{}-{}x{}",
-            lamella.material,
-            trim(lamella.width * MM),
-            trim(lamella.thickness * MM)
-        );
-        let entry = sections.entry(section).or_insert((0, 0.0, lamella));
-        entry.0 += 1;
-        entry.1 += lamella.length;
-    }
-    sections
-        .into_iter()
-        .map(|(id, (count, metres, first))| {
-            let material = shopping.materials.iter().find(|m| m.name == first.material);
-            BomRow {
-                id,
-                category: "lamella".to_owned(),
-                description: format!("{count} lamellae, cut from the panels"),
-                material: first.material.clone(),
-                specification: format!(
-                    "{} x {} mm",
-                    trim(first.width * MM),
-                    trim(first.thickness * MM)
-                ),
-                quantity: metres,
-                unit: "m".to_owned(),
-                spare: 0.0,
-                unit_mass: material.map(|m| m.density * first.width * first.thickness),
-                unit_cost: None,
             }
         })
         .collect()

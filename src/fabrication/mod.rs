@@ -48,6 +48,7 @@ pub mod passage;
 pub mod pdf;
 pub mod pieces;
 pub mod readback;
+mod sections;
 mod setting;
 pub mod sheet;
 pub mod splicing;

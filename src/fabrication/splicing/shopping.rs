@@ -2,6 +2,7 @@
 
 use crate::diagnostics::{Diagnostic, codes::fabrication as codes};
 use crate::fabrication::hardware::{self, Series};
+use crate::fabrication::sections;
 use crate::fabrication::sheet::trim;
 use crate::fabrication::units::MM;
 use crate::plan::{BomRow, JointRecord, LamellaRecord, Plan};
@@ -31,7 +32,14 @@ pub fn rows(
         }
     }
     let plated: Vec<_> = of(SpliceKind::Plate).copied().collect();
-    rows.extend(plates(&plated, materials));
+    rows.extend(sections::rows(
+        "plate",
+        "plates over joints",
+        plated
+            .iter()
+            .map(|(lamella, joint)| (*lamella, joint.length)),
+        materials,
+    ));
     if !plated.is_empty() {
         rows.extend(screws(&plated, hardware)?);
     }
@@ -63,44 +71,6 @@ fn glue(kind: &str, count: usize, area: f64) -> BomRow {
         unit_mass: None,
         unit_cost: None,
     }
-}
-
-/// Plates by section, in metres: cut from the panels like lamellae.
-fn plates(joints: &[(&LamellaRecord, &JointRecord)], materials: &[Material]) -> Vec<BomRow> {
-    let mut sections: BTreeMap<String, (usize, f64, &LamellaRecord)> = BTreeMap::new();
-    for (lamella, joint) in joints {
-        let id = format!(
-            "plate-{}-{}x{}",
-            lamella.material,
-            trim(lamella.width * MM),
-            trim(lamella.thickness * MM)
-        );
-        let entry = sections.entry(id).or_insert((0, 0.0, lamella));
-        entry.0 += 1;
-        entry.1 += joint.length;
-    }
-    sections
-        .into_iter()
-        .map(|(id, (count, metres, first))| {
-            let material = materials.iter().find(|m| m.name == first.material);
-            BomRow {
-                id,
-                category: "lamella".to_owned(),
-                description: format!("{count} plates over joints, cut from the panels"),
-                material: first.material.clone(),
-                specification: format!(
-                    "{} x {} mm",
-                    trim(first.width * MM),
-                    trim(first.thickness * MM)
-                ),
-                quantity: metres,
-                unit: "m".to_owned(),
-                spare: 0.0,
-                unit_mass: material.map(|m| m.density * first.width * first.thickness),
-                unit_cost: None,
-            }
-        })
-        .collect()
 }
 
 /// Bolts through lamella and plate, each with a nut and two washers, as at crossings.
