@@ -12,11 +12,10 @@ pub enum Grounds {
     /// The mesh is no disc, and paths may pass on either side of what is missing: every pair is
     /// solved exactly.
     Solved,
-    /// The mesh is a disc. Rows of pairs at intervals are solved exactly, and shortest paths with a common end do not
-    /// cross: a path from a point between two solved ones runs between their paths. Paths are
-    /// followed from both, and to either side of every vertex close enough to matter; where they
-    /// differ, or a promising branch is not found, the exact solver looks for shorter ones.
-    Bracketed,
+    /// The mesh is a disc. Paths are proven one by one: beside them is no curvature for another
+    /// geodesic to enclose, or all geodesics that could are compared. Pairs that are not proven so
+    /// are solved exactly.
+    Compared,
 }
 
 /// How the pairs of a table are known to be shortest, and at what cost.
@@ -28,27 +27,14 @@ pub struct Certificate {
     pub solves: usize,
     /// Pairs from these.
     pub exact: usize,
-    /// Pairs to which all solved neighbours lead by the same path.
-    pub agreed: usize,
+    /// Pairs beside whose path there is no room for another geodesic, or only for such that were
+    /// compared.
+    pub proven: usize,
 }
-
-/// Rows that are solved exactly where geodesics need not be unique.
-const SOLVED: usize = 5;
 
 /// Positive curvature of a mesh, radians, that is rounding. Geodesics around so much of it differ
 /// in length by a share below its square.
 const NO_CURVATURE: f64 = 1e-7;
-
-/// Which of so many rows to solve exactly, ascending.
-pub(super) fn exact_rows(rows: usize, grounds: Grounds) -> Vec<usize> {
-    match grounds {
-        Grounds::Unique if rows > 0 => vec![rows / 2],
-        Grounds::Bracketed if rows > SOLVED => {
-            (0..SOLVED).map(|k| k * (rows - 1) / (SOLVED - 1)).collect()
-        }
-        _ => (0..rows).collect(),
-    }
-}
 
 /// What tables on a mesh can rest on.
 pub(super) fn grounds(mesh: &Mesh, charts: &Charts) -> Grounds {
@@ -58,7 +44,7 @@ pub(super) fn grounds(mesh: &Mesh, charts: &Charts) -> Grounds {
     } else if positive <= NO_CURVATURE {
         Grounds::Unique
     } else {
-        Grounds::Bracketed
+        Grounds::Compared
     }
 }
 

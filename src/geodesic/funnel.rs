@@ -2,39 +2,7 @@
 //! gates only (D. T. Lee, F. P. Preparata, *Euclidean shortest paths in the presence of
 //! rectilinear barriers*, 1984).
 
-use super::laid::{V2, cross, norm, sub};
-
-/// A crossed edge in the plane.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Gate {
-    pub(super) left: V2,
-    pub(super) right: V2,
-    pub(super) left_vertex: u32,
-    pub(super) right_vertex: u32,
-}
-
-/// On which side of the line a vertex lies.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Side {
-    Left,
-    Right,
-}
-
-impl Gate {
-    pub(super) fn vertex(&self, side: Side) -> u32 {
-        match side {
-            Side::Left => self.left_vertex,
-            Side::Right => self.right_vertex,
-        }
-    }
-
-    pub(super) fn end(&self, side: Side) -> V2 {
-        match side {
-            Side::Left => self.left,
-            Side::Right => self.right,
-        }
-    }
-}
+use super::laid::{Laid, Side, V2, cross, norm, sub};
 
 /// Where a tight line bends.
 #[derive(Debug, Clone, Copy)]
@@ -47,8 +15,9 @@ pub(super) struct Bend {
     pub(super) at: V2,
 }
 
-/// Bends of the tight line from the origin through all gates to the end.
-pub(super) fn pull(gates: &[Gate], end: V2, bends: &mut Vec<Bend>) {
+/// Bends of the tight line from the origin through all gates, the entries of faces laid one after
+/// the other, to the end.
+pub(super) fn pull(gates: &[Laid], end: V2, bends: &mut Vec<Bend>) {
     bends.clear();
     let count = gates.len();
     let ends = |i: usize| {
@@ -112,13 +81,13 @@ pub(super) fn length(bends: &[Bend], end: V2) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::surface::HalfEdge;
 
-    fn gates(ends: &[(V2, V2)]) -> Vec<Gate> {
-        let gate = |&(left, right): &(V2, V2)| Gate {
+    fn gates(ends: &[(V2, V2)]) -> Vec<Laid> {
+        let gate = |&(left, right): &(V2, V2)| Laid {
+            entry: HalfEdge(0),
             left,
             right,
-            left_vertex: 0,
-            right_vertex: 0,
         };
         ends.iter().map(gate).collect()
     }

@@ -23,6 +23,17 @@ pub(super) fn norm(a: V2) -> f64 {
     dot(a, a).sqrt()
 }
 
+/// A side of a path.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Side {
+    Left,
+    Right,
+}
+
+impl Side {
+    pub(super) const BOTH: [Self; 2] = [Self::Left, Self::Right];
+}
+
 /// A face in the plane, seen over the half-edge by which it was entered: who walks into it has
 /// the half-edge's origin on the left and its target on the right.
 #[derive(Debug, Clone, Copy)]
@@ -69,6 +80,22 @@ impl Laid {
     pub(super) fn in_plane(&self, charts: &Charts, [x, y]: V2) -> V2 {
         let [ux, uy] = self.axis(charts);
         [ux * x - uy * y, uy * x + ux * y]
+    }
+
+    /// One end of the entry.
+    pub(super) fn end(&self, side: Side) -> V2 {
+        match side {
+            Side::Left => self.left,
+            Side::Right => self.right,
+        }
+    }
+
+    /// The vertex at one end of the entry.
+    pub(super) fn vertex(&self, mesh: &Mesh, side: Side) -> u32 {
+        match side {
+            Side::Left => mesh.origin(self.entry),
+            Side::Right => mesh.target(self.entry),
+        }
     }
 
     /// Image of the corner opposite the entry.

@@ -5,11 +5,11 @@
 //! turn; where rounding says otherwise the last shorter strip is kept. Nothing can go on for ever.
 
 use super::charts::Charts;
-use super::funnel::{Bend, Gate, Side, length, pull};
-use super::laid::{Laid, V2, cross, dot, norm, sub};
+use super::funnel::Bend;
+use super::laid::{Laid, Side, cross, dot, sub};
 use super::path::{Leg, Path};
-use super::shoot::Strip;
-use crate::surface::{HalfEdge, Mesh, SurfacePoint, Tangent};
+use super::unrolled::{Strip, Unrolled};
+use crate::surface::{HalfEdge, Mesh, SurfacePoint};
 use std::f64::consts::PI;
 
 /// Lengths that agree to this share are equal: rounding over a few hundred faces.
@@ -19,43 +19,17 @@ pub(super) const EQUAL: f64 = 1e-14;
 /// bend lengthens the path by its square.
 const BENT: f64 = 1e-10;
 
+/// A bend that does not go away and misses the half turn by more, radians, is no tie but a fault.
+const TIE: f64 = 1e-6;
+
 /// Turns of one strip; paths that need more are left to the exact solver.
 const MOST_TURNS: usize = 400;
-
-/// A locally shortest path in its strip.
-#[derive(Debug, Clone)]
-pub(super) struct Tight {
-    /// Metres.
-    pub(super) length: f64,
-    /// Direction at the begin.
-    pub(super) start: Tangent,
-    /// Direction at the end, pointing onward.
-    pub(super) end: Tangent,
-    /// The last face in the plane of the strip, its begin at the origin.
-    pub(super) last: Laid,
-    /// The end in this plane.
-    pub(super) image: V2,
-    /// Where the straight line that leaves with the path would end.
-    pub(super) ahead: V2,
-    /// Whether a branch that promised to be shorter was not found so.
-    pub(super) doubtful: bool,
-}
 
 /// Pulls strips tight; keeps what it allocates.
 pub(super) struct Relaxer<'a> {
     mesh: &'a Mesh,
     charts: &'a Charts,
-    gates: Vec<Gate>,
-    bends: Vec<Bend>,
     kept: Vec<HalfEdge>,
-    faces: Vec<Laid>,
-}
-
-/// A strip laid flat.
-struct Flat {
-    first: Laid,
-    last: Laid,
-    image: V2,
 }
 
 impl<'a> Relaxer<'a> {
@@ -63,60 +37,58 @@ impl<'a> Relaxer<'a> {
         Self {
             mesh,
             charts,
-            gates: Vec::new(),
-            bends: Vec::new(),
             kept: Vec::new(),
-            faces: Vec::new(),
         }
     }
 
-    /// Turns a strip until its tight path is locally shortest.
+    /// Turns a strip until its tight path is locally shortest, and leaves it laid flat; `None` where
+    /// that takes too many turns.
     pub(super) fn relax(
         &mut self,
-        from: &SurfacePoint,
-        base: &Laid,
+        from: (&SurfacePoint, &Laid),
         strip: &mut Strip,
         to: &SurfacePoint,
-    ) -> Option<Tight> {
+        unrolled: &mut Unrolled,
+    ) -> Option<()> {
+        let surface = (self.mesh, self.charts);
         let mut shortest = f64::INFINITY;
         for _ in 0..MOST_TURNS {
-            self.tidy(from, strip, to);
-            let flat = self.lay(from, base, strip, to)?;
-            pull(&self.gates, flat.image, &mut self.bends);
-            let found = length(&self.bends, flat.image);
+            self.tidy(from.0, strip, to);
+            let found = unrolled.lay(surface, from, strip, to)?;
             if found >= shortest * (1.0 - EQUAL) {
                 // A tie up to rounding: the strip before is as good.
                 strip.through.clone_from(&self.kept);
-                self.tidy(from, strip, to);
-                let flat = self.lay(from, base, strip, to)?;
-                pull(&self.gates, flat.image, &mut self.bends);
-                return self.tight(&flat);
+                self.tidy(from.0, strip, to);
+                unrolled.lay(surface, from, strip, to)?;
+                let bends = 0..unrolled.bends.len();
+                let needless =
+                    |i: usize| self.other_side(unrolled, i).is_some_and(|a| a < PI - TIE);
+                return (!bends.into_iter().any(needless)).then_some(());
             }
             shortest = found;
             self.kept.clone_from(&strip.through);
-            if !self.turn(strip, &flat) {
-                return self.tight(&flat);
+            if !self.turn(strip, unrolled) {
+                return Some(());
             }
         }
         None
     }
 
-    /// The whole path through the strip that was relaxed last.
+    /// The whole path through a strip that was relaxed and laid flat.
     pub(super) fn path(
-        &mut self,
+        &self,
         from: &SurfacePoint,
-        base: &Laid,
         strip: &Strip,
         to: &SurfacePoint,
+        unrolled: &Unrolled,
     ) -> Option<Path> {
-        let flat = self.lay(from, base, strip, to)?;
-        pull(&self.gates, flat.image, &mut self.bends);
         let through = &strip.through;
-        let mut legs = Vec::with_capacity(self.bends.len() + 1);
+        let mut legs = Vec::with_capacity(unrolled.bends.len() + 1);
         let (mut begin, mut next, mut face) = (*from, 0, strip.face);
-        for bend in &self.bends {
-            let (first, last) = range_at(&self.gates, bend.gate, bend.side);
-            let end = SurfacePoint::Vertex(self.gates[bend.gate].vertex(bend.side));
+        for bend in &unrolled.bends {
+            let (first, last) = self.range_at(unrolled, bend.gate, bend.side);
+            let vertex = unrolled.faces[bend.gate].vertex(self.mesh, bend.side);
+            let end = SurfacePoint::Vertex(vertex);
             legs.push(Leg {
                 from: begin,
                 through: through[next.min(first)..first].to_vec(),
@@ -179,59 +151,43 @@ impl<'a> Relaxer<'a> {
         }
     }
 
-    /// Lays a strip flat.
-    fn lay(
-        &mut self,
-        from: &SurfacePoint,
-        base: &Laid,
-        strip: &Strip,
-        to: &SurfacePoint,
-    ) -> Option<Flat> {
-        let (mesh, charts) = (self.mesh, self.charts);
-        let first = face_at(mesh, charts, from, base, strip.face)?;
-        let mut last = first;
-        self.gates.clear();
-        self.faces.clear();
-        for &exit in &strip.through {
-            if exit.face() != last.entry.face() {
-                return None;
-            }
-            last = last.across(mesh, charts, exit)?;
-            self.faces.push(last);
-            self.gates.push(Gate {
-                left: last.left,
-                right: last.right,
-                left_vertex: mesh.target(exit),
-                right_vertex: mesh.origin(exit),
-            });
+    /// The angle of a bend on the other side of its vertex, radians; none at the border.
+    fn other_side(&self, flat: &Unrolled, bend: usize) -> Option<f64> {
+        let Bend { gate, side, at } = flat.bends[bend];
+        let v = flat.faces[gate].vertex(self.mesh, side);
+        if self.mesh.is_border_vertex(v) {
+            return None;
         }
-        let image = last.image(mesh, charts, to)?;
-        Some(Flat { first, last, image })
+        let before = if bend > 0 {
+            flat.bends[bend - 1].at
+        } else {
+            [0.0; 2]
+        };
+        let after = flat.bends.get(bend + 1).map_or(flat.image, |b| b.at);
+        let (come, go) = (sub(at, before), sub(after, at));
+        // Towards the vertex; round a saddle by more than half a turn.
+        let towards = match side {
+            Side::Left => cross(come, go),
+            Side::Right => -cross(come, go),
+        };
+        let turn = libm::atan2(towards, dot(come, go));
+        let turn = if turn < -BENT { turn + 2.0 * PI } else { turn };
+        Some(self.charts.total_angles[v as usize] - (PI + turn))
     }
 
     /// Passes the vertices of needless bends on their other sides; whether there were any.
-    fn turn(&mut self, strip: &mut Strip, flat: &Flat) -> bool {
+    fn turn(&self, strip: &mut Strip, flat: &Unrolled) -> bool {
         let mut turned = false;
         let mut free = usize::MAX;
-        for i in (0..self.bends.len()).rev() {
-            let Bend { gate, side, at } = self.bends[i];
-            let v = self.gates[gate].vertex(side);
-            if self.mesh.is_border_vertex(v) {
+        for i in (0..flat.bends.len()).rev() {
+            let Bend { gate, side, .. } = flat.bends[i];
+            if self
+                .other_side(flat, i)
+                .is_none_or(|angle| angle >= PI - BENT)
+            {
                 continue;
             }
-            let before = if i > 0 {
-                self.bends[i - 1].at
-            } else {
-                [0.0; 2]
-            };
-            let after = self.bends.get(i + 1).map_or(flat.image, |b| b.at);
-            let (come, go) = (sub(at, before), sub(after, at));
-            let turn = libm::atan2(cross(come, go).abs(), dot(come, go));
-            let other = self.charts.total_angles[v as usize] - (PI + turn);
-            if other >= PI - BENT {
-                continue;
-            }
-            let range = range_at(&self.gates, gate, side);
+            let range = self.range_at(flat, gate, side);
             if range.1 >= free {
                 continue;
             }
@@ -281,48 +237,18 @@ impl<'a> Relaxer<'a> {
         true
     }
 
-    /// The strip that was relaxed last: its faces after each gate, its gates and its bends.
-    pub(super) fn last(&self) -> (&[Laid], &[Gate], &[Bend]) {
-        (&self.faces, &self.gates, &self.bends)
+    /// The neighbouring gates that end at the same vertex.
+    fn range_at(&self, flat: &Unrolled, gate: usize, side: Side) -> (usize, usize) {
+        let vertex = |i: usize| flat.faces[i].vertex(self.mesh, side);
+        let v = vertex(gate);
+        let same = |i: &usize| vertex(*i) == v;
+        let first = (0..gate).rev().take_while(same).last().unwrap_or(gate);
+        let last = (gate + 1..flat.faces.len())
+            .take_while(same)
+            .last()
+            .unwrap_or(gate);
+        (first, last)
     }
-
-    fn tight(&self, flat: &Flat) -> Option<Tight> {
-        let (mesh, charts) = (self.mesh, self.charts);
-        let length = length(&self.bends, flat.image);
-        if length <= 0.0 {
-            return None;
-        }
-        let begin = self.bends.first().map_or(flat.image, |b| b.at);
-        let before = self.bends.last().map_or([0.0; 2], |b| b.at);
-        let tangent = |laid: &Laid, direction: V2| Tangent {
-            face: laid.entry.face(),
-            direction: Charts::to_space(mesh, laid.entry, laid.in_chart(charts, direction)),
-        };
-        Some(Tight {
-            length,
-            start: tangent(&flat.first, begin),
-            end: tangent(&flat.last, sub(flat.image, before)),
-            last: flat.last,
-            image: flat.image,
-            ahead: {
-                let along = norm(begin);
-                begin.map(|x| x / along * length)
-            },
-            doubtful: false,
-        })
-    }
-}
-
-/// The neighbouring gates that end at the same vertex.
-fn range_at(gates: &[Gate], gate: usize, side: Side) -> (usize, usize) {
-    let v = gates[gate].vertex(side);
-    let same = |i: &usize| gates[*i].vertex(side) == v;
-    let first = (0..gate).rev().take_while(same).last().unwrap_or(gate);
-    let last = (gate + 1..gates.len())
-        .take_while(same)
-        .last()
-        .unwrap_or(gate);
-    (first, last)
 }
 
 /// A face around a point in the plane of `base`.

@@ -1,7 +1,8 @@
-//! A first path between two points: faces in between are found by a search that goes towards the
-//! target, their strip is pulled tight and turned until it is locally shortest.
+//! A first path between two points: a line is cast in the direction in which the target lies in
+//! space. Where that does not lead to it, faces in between are found by a search that goes towards the
+//! target, and their strip is pulled tight and turned until it is locally shortest.
 
-use super::shoot::Strip;
+use super::unrolled::Strip;
 use super::walk::Walk;
 use super::{Geodesics, Path};
 use crate::surface::{HalfEdge, Point3, SurfacePoint};
@@ -12,10 +13,17 @@ use std::collections::{BTreeMap, BinaryHeap};
 const GREED: f64 = 1.25;
 
 impl Geodesics<'_> {
-    /// A locally shortest path between two checked points; `None` where none is found this way.
-    pub(super) fn near_path(&self, from: &SurfacePoint, to: &SurfacePoint) -> Option<Path> {
-        let strip = self.faces_between(from, to)?;
-        Walk::new(self.mesh, &self.charts, from)?.path_through(strip, to)
+    /// A locally shortest path between two checked points, and whether it is known to be the
+    /// shortest of all; `None` where none is found this way.
+    pub(super) fn near_path(&self, from: &SurfacePoint, to: &SurfacePoint) -> Option<(Path, bool)> {
+        let mut walk = Walk::new(self.mesh, &self.charts, from)?;
+        let ahead = to.position(self.mesh) - from.position(self.mesh);
+        let near = match walk.cast(&ahead, to) {
+            Some(near) => near,
+            None => walk.through(self.faces_between(from, to)?, to)?,
+        };
+        let proven = self.prove(&mut walk, &near, to).is_some();
+        Some((walk.path(to)?, proven))
     }
 
     /// A strip of faces between two points, found best first (A*) by the ways over the middles of

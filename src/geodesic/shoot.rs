@@ -7,55 +7,11 @@
 
 use super::charts::{BORDER, Charts};
 use super::laid::{Laid, V2, apex, cross, sub};
+use super::unrolled::{Strip, Unrolled};
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
 
 /// Faces that are searched around the end of a line for its target.
 const NEAR: usize = 400;
-
-/// A strip from a point, laid flat with the point at the origin.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Strip {
-    /// The half-edges of the faces being left, in order.
-    pub(super) through: Vec<HalfEdge>,
-    /// The face of both ends where nothing is crossed.
-    pub(super) face: u32,
-}
-
-/// What a line met.
-pub(super) struct Shot {
-    /// Image of the target.
-    pub(super) image: V2,
-    /// The last face.
-    pub(super) end: Laid,
-    /// Whether the straight line to the image passes through the whole strip.
-    pub(super) straight: bool,
-}
-
-/// The directions that pass through all gates so far.
-struct Cone {
-    low: V2,
-    high: V2,
-}
-
-impl Cone {
-    const WHOLE: Self = Self {
-        low: [0.0; 2],
-        high: [0.0; 2],
-    };
-
-    fn pass(&mut self, left: V2, right: V2) {
-        if cross(self.low, right) > 0.0 || self.low == [0.0; 2] {
-            self.low = right;
-        }
-        if cross(self.high, left) < 0.0 || self.high == [0.0; 2] {
-            self.high = left;
-        }
-    }
-
-    fn holds(&self, direction: V2) -> bool {
-        cross(self.low, direction) >= 0.0 && cross(direction, self.high) >= 0.0
-    }
-}
 
 /// Shoots lines from points of a mesh; keeps what it allocates.
 pub(super) struct Shooter<'a> {
@@ -78,49 +34,46 @@ impl<'a> Shooter<'a> {
     }
 
     /// Follows the straight line from `base`'s origin towards an image of the target, then the
-    /// shortest way over faces to the target itself.
+    /// shortest way over faces to the target itself. The strip is left laid flat, but not pulled
+    /// tight; whether the straight line to the target passes through all of it.
     ///
     /// `None` where the target is not found near the end of the line.
     pub(super) fn shoot(
         &mut self,
-        from: &SurfacePoint,
-        base: &Laid,
+        (from, base): (&SurfacePoint, &Laid),
         at: V2,
         target: &SurfacePoint,
         strip: &mut Strip,
-    ) -> Option<Shot> {
-        let (mesh, charts) = (self.mesh, self.charts);
+        unrolled: &mut Unrolled,
+    ) -> Option<bool> {
         strip.through.clear();
-        let mut cone = Cone::WHOLE;
-        let first = self.first_face(from, base, at);
-        strip.face = first.entry.face();
-        let here = self.fly(first, at, strip, &mut cone);
-        let end = self.search(here, target, strip, &mut cone)?;
-        let image = end.image(mesh, charts, target)?;
-        let straight = strip.through.is_empty() || cone.holds(image);
-        Some(Shot {
-            image,
-            end,
-            straight,
-        })
+        unrolled.faces.clear();
+        unrolled.bends.clear();
+        unrolled.first = self.first_face(from, base, at);
+        strip.face = unrolled.first.entry.face();
+        self.fly(at, strip, unrolled);
+        self.search(target, strip, unrolled)?;
+        unrolled.image = unrolled.last().image(self.mesh, self.charts, target)?;
+        Some(unrolled.is_straight())
     }
 
     /// Follows a straight line from the origin, which lies in or on a face, to its end or to the
     /// border.
-    fn fly(&self, first: Laid, at: V2, strip: &mut Strip, cone: &mut Cone) -> Laid {
+    fn fly(&self, at: V2, strip: &mut Strip, unrolled: &mut Unrolled) {
         let (mesh, charts) = (self.mesh, self.charts);
+        let first = unrolled.first;
         let ends_before = |left: V2, right: V2| cross(sub(right, left), sub(at, left)) <= 0.0;
         let corner = first.apex(charts);
         let exit = first_exit(&first, corner, at);
         let (left, right) = gate(&first, corner, exit);
         if ends_before(left, right) {
-            return first;
+            return;
         }
         let Some(second) = first.across(mesh, charts, exit) else {
-            return first;
+            return;
         };
-        cone.pass(left, right);
         strip.through.push(exit);
+        unrolled.faces.push(second);
         let mut here = second;
         // A straight line may meet a face more than once, but not without end.
         for _ in 0..4 * mesh.faces().len() {
@@ -146,18 +99,16 @@ impl<'a> Shooter<'a> {
             if ends_before(next.left, next.right) || next.entry.0 == BORDER {
                 break;
             }
-            cone.pass(next.left, next.right);
             strip.through.push(exit);
+            unrolled.faces.push(next);
             here = next;
         }
-        here
     }
 
     /// Image of a target seen over the faces near the end of a strip.
     pub(super) fn image_near(&mut self, end: &Laid, target: &SurfacePoint) -> Option<V2> {
-        let (mut strip, mut cone) = (Strip::default(), Cone::WHOLE);
-        let found = self.search(*end, target, &mut strip, &mut cone)?;
-        found.image(self.mesh, self.charts, target)
+        let found = self.find(*end, target)?;
+        self.seen[found].0.image(self.mesh, self.charts, target)
     }
 
     /// The face around a point into which a direction of the plane points.
@@ -212,26 +163,40 @@ impl<'a> Shooter<'a> {
         }
     }
 
-    /// Goes on, face by face towards the target, to one that holds it.
+    /// Goes on from the end of a strip, face by face towards the target, to one that holds it.
     fn search(
         &mut self,
-        from: Laid,
         target: &SurfacePoint,
         strip: &mut Strip,
-        cone: &mut Cone,
-    ) -> Option<Laid> {
+        unrolled: &mut Unrolled,
+    ) -> Option<()> {
+        let mut at = self.find(*unrolled.last(), target)?;
+        let first = strip.through.len();
+        while self.seen[at].1 != u32::MAX {
+            let laid = self.seen[at].0;
+            strip.through.push(self.mesh.twin(laid.entry)?);
+            unrolled.faces.push(laid);
+            at = self.seen[at].1 as usize;
+        }
+        strip.through[first..].reverse();
+        unrolled.faces[first..].reverse();
+        Some(())
+    }
+
+    /// The place among those seen of a face near another one that holds the target.
+    fn find(&mut self, from: Laid, target: &SurfacePoint) -> Option<usize> {
         let (mesh, charts) = (self.mesh, self.charts);
         let holds = |face: u32| target.bary_in(mesh, face).is_some();
+        self.seen.clear();
+        self.seen.push((from, u32::MAX));
         if holds(from.entry.face()) {
-            return Some(from);
+            return Some(0);
         }
         let goal = target.position(mesh);
         let far = |h: HalfEdge| (mesh.position(mesh.origin(h.prev())) - goal).norm_squared();
-        self.seen.clear();
-        self.seen.push((from, u32::MAX));
         self.open.clear();
         self.open.push((far(from.entry), 0));
-        let found = 'search: loop {
+        loop {
             // The face whose far corner is nearest to the target goes first.
             let nearest =
                 (0..self.open.len()).min_by(|&a, &b| self.open[a].0.total_cmp(&self.open[b].0))?;
@@ -249,23 +214,13 @@ impl<'a> Shooter<'a> {
                 self.open.push((far(next.entry), self.seen.len() as u32));
                 self.seen.push((next, at));
                 if holds(face) {
-                    break 'search self.seen.len() - 1;
+                    return Some(self.seen.len() - 1);
                 }
                 if self.seen.len() >= NEAR {
                     return None;
                 }
             }
-        };
-        let first = strip.through.len();
-        let mut at = found;
-        while self.seen[at].1 != u32::MAX {
-            let laid = self.seen[at].0;
-            strip.through.push(mesh.twin(laid.entry)?);
-            cone.pass(laid.left, laid.right);
-            at = self.seen[at].1 as usize;
         }
-        strip.through[first..].reverse();
-        Some(self.seen[found].0)
     }
 }
 

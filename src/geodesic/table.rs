@@ -1,11 +1,13 @@
 //! Tables of shortest distances between two rows of points, and how they are known to be shortest.
 
-use super::certificate::{Certificate, Grounds, exact_rows};
+use super::certificate::{Certificate, Grounds};
+use super::heights::{Heights, Trail};
+use super::laid::Laid;
+use super::unrolled::Tight;
 use super::walk::Walk;
-use super::{Arrival, GeodesicError, Geodesics, Path, Reach, SAME};
-use crate::surface::{SurfacePoint, Tangent};
+use super::{Arrival, GeodesicError, Geodesics, Path, Reach};
+use crate::surface::SurfacePoint;
 use rayon::prelude::*;
-use std::collections::BTreeSet;
 
 /// Shortest distances from each point of one row to each of another, with end directions.
 #[derive(Debug, Clone)]
@@ -35,12 +37,20 @@ impl Table {
 pub enum Known {
     /// By the exact solver.
     Exact,
-    /// All solved neighbours lead to the same path.
-    Agreed,
-    /// They lead to different paths, of which this is the shortest so far; none is so when the
-    /// table is done.
-    Chosen,
+    /// No other geodesic has room beside it, or all that have were compared.
+    Proven,
+    /// Shortest among its neighbours; none is left so when the table is done.
+    Open,
 }
+
+/// Rows and columns of a block whose paths share one bound.
+const BLOCK: usize = 4;
+
+/// Paths of a block keep within this share of the distance of their ends from the middle one's.
+const TUBE: f64 = 1.15;
+
+/// Blocks that are wider than this share of their paths are no neighbours.
+const WIDEST: f64 = 0.06;
 
 impl Geodesics<'_> {
     /// Shortest distances between all pairs of two rows of points, each row in order along a curve,
@@ -59,55 +69,33 @@ impl Geodesics<'_> {
         }
         let (from, to) = (self.all_checked(from)?, self.all_checked(to)?);
         let grounds = self.grounds();
-        let rows = exact_rows(from.len(), grounds);
-        let solved: Vec<Vec<Path>> = rows
-            .par_iter()
-            .map(|&row| self.paths(&from[row], &to))
-            .collect::<Result<_, _>>()?;
-        let mut columns: Vec<Vec<Option<Cell>>> = (0..to.len())
-            .into_par_iter()
-            .map(|j| {
-                let seeds = rows.iter().zip(&solved);
-                let seeds: Vec<_> = seeds.map(|(&row, paths)| (row, &paths[j])).collect();
-                self.column(&from, &to[j], &seeds)
-            })
-            .collect();
-        let mut solves = rows.len();
-        let mut cells = Vec::with_capacity(from.len() * to.len());
-        for (i, source) in from.iter().enumerate() {
-            let open: Vec<usize> = (0..to.len()).filter(|&j| columns[j][i].is_none()).collect();
-            if !open.is_empty() {
-                solves += 1;
-                let targets: Vec<SurfacePoint> = open.iter().map(|&j| to[j]).collect();
-                for (j, path) in open.into_iter().zip(self.paths(source, &targets)?) {
-                    columns[j][i] = Some(Cell {
-                        arrival: arrival(&path),
-                        kind: Known::Exact,
-                    });
-                }
-            }
-            cells.extend(columns.iter().filter_map(|column| column[i]));
-        }
-        let mut table = Draft {
+        let draft = Draft {
             geodesics: self,
             from: &from,
             to: &to,
-            cells,
         };
-        if grounds == Grounds::Bracketed {
-            table.exchange_branches();
-            solves += table.verify_chosen();
-        }
-        let count = |kind: Known| table.cells.iter().filter(|cell| cell.kind == kind).count();
+        let rows: Vec<Vec<Option<Cell>>> = if grounds == Grounds::Solved {
+            vec![vec![None; to.len()]; from.len()]
+        } else {
+            draft.follow()
+        };
+        let solved: Vec<(Vec<Cell>, bool)> = rows
+            .into_par_iter()
+            .enumerate()
+            .map(|(i, row)| draft.solve_open(i, row))
+            .collect::<Result<_, _>>()?;
+        let solves = solved.iter().filter(|row| row.1).count();
+        let cells: Vec<Cell> = solved.into_iter().flat_map(|row| row.0).collect();
+        let count = |kind: Known| cells.iter().filter(|cell| cell.kind == kind).count();
         Ok(Table {
             certificate: Certificate {
                 grounds,
                 solves,
                 exact: count(Known::Exact),
-                agreed: count(Known::Agreed),
+                proven: count(Known::Proven),
             },
-            pairs: table.cells.iter().map(|cell| cell.arrival).collect(),
-            kinds: table.cells.iter().map(|cell| cell.kind).collect(),
+            pairs: cells.iter().map(|cell| cell.arrival).collect(),
+            kinds: cells.iter().map(|cell| cell.kind).collect(),
             columns: to.len(),
         })
     }
@@ -116,57 +104,6 @@ impl Geodesics<'_> {
     fn paths(&self, from: &SurfacePoint, to: &[SurfacePoint]) -> Result<Vec<Path>, GeodesicError> {
         let field = self.field(from, Reach::Targets(to))?;
         to.iter().map(|target| field.path_to(target)).collect()
-    }
-
-    /// Paths from all points of a row to a target, followed from the solved ones to those between
-    /// them, from both sides; `None` where that fails.
-    fn column(
-        &self,
-        row: &[SurfacePoint],
-        target: &SurfacePoint,
-        seeds: &[(usize, &Path)],
-    ) -> Vec<Option<Cell>> {
-        let mut cells = vec![None; row.len()];
-        for &(i, path) in seeds {
-            cells[i] = Some(Cell {
-                arrival: arrival(path),
-                kind: Known::Exact,
-            });
-        }
-        let Some(mut walk) = Walk::new(self.mesh, &self.charts, target) else {
-            return cells;
-        };
-        for (k, &(i, path)) in seeds.iter().enumerate() {
-            let Some(begin) = walk.take_up(path) else {
-                continue;
-            };
-            let mut follow = |steps: &mut dyn Iterator<Item = usize>| {
-                let mut last = begin;
-                for i in steps {
-                    let Some(tight) = walk.step(&last, &row[i]) else {
-                        return;
-                    };
-                    last = tight.last;
-                    let found = tight.arrival_reversed();
-                    let mut cell = match cells[i] {
-                        None => Cell {
-                            arrival: found,
-                            kind: Known::Agreed,
-                        },
-                        Some(known) => known.or(found),
-                    };
-                    if tight.doubtful {
-                        cell.kind = Known::Chosen;
-                    }
-                    cells[i] = Some(cell);
-                }
-            };
-            let next = seeds.get(k + 1).map_or(row.len(), |seed| seed.0);
-            let previous = if k > 0 { seeds[k - 1].0 + 1 } else { 0 };
-            follow(&mut (i + 1..next));
-            follow(&mut (previous..i).rev());
-        }
-        cells
     }
 }
 
@@ -177,124 +114,220 @@ struct Cell {
     kind: Known,
 }
 
-impl Cell {
-    /// With another path for the same pair.
-    fn or(self, found: Arrival) -> Self {
-        let difference = found.length - self.arrival.length;
-        if difference.abs() <= SAME * found.length {
-            return self;
-        }
-        Self {
-            arrival: if difference < 0.0 {
-                found
-            } else {
-                self.arrival
-            },
-            kind: Known::Chosen,
-        }
-    }
-}
-
-/// A table that may get shorter.
+/// A table in the making.
 struct Draft<'a> {
     geodesics: &'a Geodesics<'a>,
     from: &'a [SurfacePoint],
     to: &'a [SurfacePoint],
-    cells: Vec<Cell>,
 }
 
-impl Draft<'_> {
-    /// Where pairs have several branches, tries those of all neighbours on each, until none gets
-    /// shorter.
-    fn exchange_branches(&mut self) {
-        let (rows, columns) = (self.from.len(), self.to.len());
-        let around = move |cell: usize| {
-            let (i, j) = (cell / columns, cell % columns);
-            let up = (i > 0).then(|| cell - columns);
-            let down = (i + 1 < rows).then(|| cell + columns);
-            let left = (j > 0).then(|| cell - 1);
-            let right = (j + 1 < columns).then(|| cell + 1);
-            [up, down, left, right].into_iter().flatten()
+impl<'a> Draft<'a> {
+    /// Follows paths from pair to pair; `None` where they are lost.
+    fn follow(&self) -> Vec<Vec<Option<Cell>>> {
+        let begins = self.begins();
+        let blocks: Vec<usize> = (0..self.from.len()).step_by(BLOCK).collect();
+        blocks
+            .into_par_iter()
+            .flat_map_iter(|first| {
+                let last = (first + BLOCK).min(self.from.len());
+                let bounds = self.bounds(first, last, &begins);
+                let row = move |i: usize| (i, bounds.clone());
+                (first..last)
+                    .map(row)
+                    .map(|(i, bounds)| self.row(i, begins[i].as_ref(), &bounds))
+                    .collect::<Vec<_>>()
+            })
+            .collect()
+    }
+
+    /// How paths to the first column leave each row's point.
+    fn begins(&self) -> Vec<Option<Arrival>> {
+        let mut begins = vec![None; self.from.len()];
+        let (Some(first), Some(target)) = (self.from.first(), self.to.first()) else {
+            return begins;
         };
-        let mut waiting: BTreeSet<usize> = (0..self.cells.len())
-            .filter(|&cell| self.cells[cell].kind == Known::Chosen)
-            .flat_map(|cell| around(cell).chain([cell]))
-            .collect();
-        while let Some(cell) = waiting.pop_first() {
-            if self.cells[cell].kind == Known::Exact {
-                continue;
+        let geodesics = self.geodesics;
+        if first == target {
+            return begins;
+        }
+        let path = geodesics.near_path(first, target);
+        let walk = Walk::new(geodesics.mesh, &geodesics.charts, target);
+        let (Some((path, _)), Some(mut walk)) = (path, walk) else {
+            return begins;
+        };
+        let mut last = walk.take_up(&path);
+        for (begin, source) in begins.iter_mut().zip(self.from) {
+            let Some(here) = last else { break };
+            if let Some(tight) = walk.step(&here, source) {
+                *begin = Some(tight.arrival_reversed());
+                last = Some(tight.last);
             }
-            for neighbour in around(cell) {
-                let Some(found) = self.branch_of(neighbour, cell) else {
-                    continue;
-                };
-                let better = self.cells[cell].or(found);
-                if better.arrival.length < self.cells[cell].arrival.length {
-                    self.cells[cell] = better;
-                    waiting.extend(around(cell));
+        }
+        begins
+    }
+
+    /// A walk from a row's point, and the path to the first column.
+    fn walk(&self, i: usize, begin: Option<&Arrival>) -> Option<(Walk<'a>, Laid)> {
+        let geodesics = self.geodesics;
+        let mut walk = Walk::new(geodesics.mesh, &geodesics.charts, &self.from[i])?;
+        let begin = begin?;
+        let last = walk.shot(&begin.start, begin.length, self.to.first()?)?;
+        Some((walk, last))
+    }
+
+    /// Per block of columns bounds of other geodesics beside the paths of rows, and the trail near
+    /// which these have to keep.
+    fn bounds(&self, first: usize, last: usize, begins: &[Option<Arrival>]) -> Vec<Option<Bound>> {
+        let blocks = self.to.len().div_ceil(BLOCK);
+        let mut bounds = vec![None; blocks];
+        if self.geodesics.grounds() == Grounds::Unique {
+            return bounds;
+        }
+        let masses = self.geodesics.masses();
+        let mesh = self.geodesics.mesh;
+        let middle = usize::midpoint(first, last);
+        let Some((mut walk, mut here)) = self.walk(middle, begins[middle].as_ref()) else {
+            return bounds;
+        };
+        let far = |points: &[SurfacePoint], from: usize, to: usize, middle: usize| {
+            let at = points[middle].position(mesh);
+            let far = points[from..to]
+                .iter()
+                .map(|p| (p.position(mesh) - at).norm());
+            far.fold(0.0, f64::max)
+        };
+        for (block, bound) in bounds.iter_mut().enumerate() {
+            let begin = block * BLOCK;
+            let end = (begin + BLOCK).min(self.to.len());
+            let centre = usize::midpoint(begin, end);
+            let mut path = None;
+            for j in begin..=centre {
+                path = walk.step(&here, &self.to[j]);
+                if let Some(tight) = &path {
+                    here = tight.last;
                 }
             }
+            let Some(trail) = path.map(|path| walk.trail(&path, &self.to[centre])) else {
+                continue;
+            };
+            let within = 1e-3 * trail.length
+                + TUBE * far(self.from, first, last, middle).max(far(self.to, begin, end, centre));
+            if within > WIDEST * trail.length {
+                continue;
+            }
+            let heights = walk.bounds.around(&trail, within, masses);
+            *bound = Some(Bound {
+                trail,
+                within,
+                heights,
+            });
         }
+        bounds
     }
 
-    /// Looks for shorter paths where there are several branches, with the exact solver and only
-    /// where these could be; how many solves that took.
-    fn verify_chosen(&mut self) -> usize {
-        let columns = self.to.len();
-        let chosen = |row: &[Cell]| row.iter().any(|cell| cell.kind == Known::Chosen);
-        let rows: Vec<usize> = (0..self.from.len())
-            .filter(|i| chosen(&self.cells[i * columns..(i + 1) * columns]))
+    /// The pairs of a row.
+    fn row(
+        &self,
+        i: usize,
+        begin: Option<&Arrival>,
+        bounds: &[Option<Bound>],
+    ) -> Vec<Option<Cell>> {
+        let unique = self.geodesics.grounds() == Grounds::Unique;
+        let mut cells = vec![None; self.to.len()];
+        let Some((mut walk, mut last)) = self.walk(i, begin) else {
+            return cells;
+        };
+        for (j, cell) in cells.iter_mut().enumerate() {
+            let target = &self.to[j];
+            let Some(path) = walk.step(&last, target) else {
+                continue;
+            };
+            let proven = match &bounds[j / BLOCK] {
+                _ if unique => Some(path),
+                Some(bound) => bound.prove(&mut walk, &path, target),
+                None => None,
+            };
+            // Bounds of a block are wider than those of a path.
+            let proven = proven.or_else(|| self.geodesics.prove(&mut walk, &path, target));
+            let kind = if proven.is_some() {
+                Known::Proven
+            } else {
+                Known::Open
+            };
+            let path = proven.unwrap_or(path);
+            last = path.last;
+            *cell = Some(Cell {
+                arrival: path.arrival(),
+                kind,
+            });
+        }
+        cells
+    }
+
+    /// Solves the pairs of a row that are not proven; whether there were any.
+    fn solve_open(
+        &self,
+        i: usize,
+        row: Vec<Option<Cell>>,
+    ) -> Result<(Vec<Cell>, bool), GeodesicError> {
+        let from = &self.from[i];
+        let exact = |path: &Path| Cell {
+            arrival: Arrival {
+                length: path.length,
+                start: path.start,
+                end: path.end,
+            },
+            kind: Known::Exact,
+        };
+        if row.iter().any(Option::is_none) {
+            let lost: Vec<SurfacePoint> = (0..row.len())
+                .filter(|&j| row[j].is_none_or(|cell| cell.kind == Known::Open))
+                .map(|j| self.to[j])
+                .collect();
+            let mut paths = self.geodesics.paths(from, &lost)?.into_iter();
+            let cells = row.into_iter().filter_map(|cell| match cell {
+                Some(cell) if cell.kind != Known::Open => Some(cell),
+                _ => paths.next().as_ref().map(exact),
+            });
+            return Ok((cells.collect(), true));
+        }
+        let mut cells: Vec<Cell> = row.into_iter().flatten().collect();
+        let open: Vec<usize> = (0..cells.len())
+            .filter(|&j| cells[j].kind == Known::Open)
             .collect();
-        let verified: Vec<Vec<(usize, Option<Path>)>> = rows
-            .par_iter()
-            .map(|&i| {
-                let open: Vec<usize> = (i * columns..(i + 1) * columns)
-                    .filter(|&cell| self.cells[cell].kind == Known::Chosen)
-                    .collect();
-                let known: Vec<(SurfacePoint, f64)> = open
-                    .iter()
-                    .map(|&cell| (self.to[cell % columns], self.cells[cell].arrival.length))
-                    .collect();
-                let shorter = self.geodesics.shorter(&self.from[i], &known);
-                open.into_iter().zip(shorter).collect()
-            })
+        if open.is_empty() {
+            return Ok((cells, false));
+        }
+        let known: Vec<(SurfacePoint, f64)> = open
+            .iter()
+            .map(|&j| (self.to[j], cells[j].arrival.length))
             .collect();
-        for (cell, shorter) in verified.into_iter().flatten() {
-            self.cells[cell].kind = Known::Exact;
-            if let Some(path) = shorter {
-                self.cells[cell].arrival = arrival(&path);
+        let shorter = self.geodesics.shorter(from, &known);
+        for (j, shorter) in open.into_iter().zip(shorter) {
+            match shorter {
+                Some(path) => cells[j] = exact(&path),
+                None => cells[j].kind = Known::Exact,
             }
         }
-        rows.len()
-    }
-
-    /// The path of a neighbouring pair, followed to a pair.
-    fn branch_of(&self, neighbour: usize, cell: usize) -> Option<Arrival> {
-        let (mesh, charts) = (self.geodesics.mesh, &self.geodesics.charts);
-        let known = &self.cells[neighbour].arrival;
-        let columns = self.to.len();
-        let place = |cell: usize| (&self.from[cell / columns], &self.to[cell % columns]);
-        let ((near_from, near_to), (from, to)) = (place(neighbour), place(cell));
-        if neighbour / columns == cell / columns {
-            let mut walk = Walk::new(mesh, charts, from)?;
-            let tight = walk.leap(&known.start, known.length, near_to, to)?;
-            Some(tight.arrival())
-        } else {
-            let back = Tangent {
-                face: known.end.face,
-                direction: -known.end.direction,
-            };
-            let mut walk = Walk::new(mesh, charts, to)?;
-            let tight = walk.leap(&back, known.length, near_from, from)?;
-            Some(tight.arrival_reversed())
-        }
+        Ok((cells, true))
     }
 }
 
-fn arrival(path: &Path) -> Arrival {
-    Arrival {
-        length: path.length,
-        start: path.start,
-        end: path.end,
+/// Bounds of other geodesics that hold near a trail.
+#[derive(Debug, Clone)]
+struct Bound {
+    trail: Trail,
+    /// Metres.
+    within: f64,
+    heights: [Heights; 2],
+}
+
+impl Bound {
+    fn prove(&self, walk: &mut Walk<'_>, path: &Tight, to: &SurfacePoint) -> Option<Tight> {
+        let longer = (path.length - self.trail.length).abs();
+        if longer > 2.0 * self.within || walk.strays(path, &self.trail) > self.within {
+            return None;
+        }
+        walk.proven(path, to, &self.heights)
     }
 }

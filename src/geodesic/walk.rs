@@ -1,28 +1,26 @@
 //! Paths from one point while their other end moves in small steps.
 
 use super::charts::Charts;
-use super::laid::{Laid, V2};
-use super::lens::Lens;
-use super::relax::{EQUAL, Relaxer, Tight, face_at};
-use super::shoot::{Shooter, Strip, base};
+use super::heights::Bounds;
+use super::laid::{Laid, V2, norm};
+use super::near::Near;
+use super::rays::Rays;
+use super::relax::{Relaxer, face_at};
+use super::shoot::{Shooter, base};
+use super::unrolled::{Strip, Tight, Unrolled};
 use super::{Arrival, Geodesics, Path};
-use crate::surface::{HalfEdge, Mesh, SurfacePoint, Tangent};
+use crate::surface::{HalfEdge, Mesh, SurfacePoint, Tangent, Vector3};
 
 /// Lines shot for one path before its strip is turned by hand.
 const SHOTS: usize = 2;
 
-/// Promising branches that are followed from one path.
-const TRIALS: usize = 4;
-
-/// Changes from branch to branch of one path.
-const MOST_BRANCHES: usize = 16;
-
-/// A shortest path whose end can be moved: where it goes in small steps, each costs little more than
-/// the crossings of the path.
+/// A path whose end can be moved: where it goes in small steps, each costs little more than the
+/// crossings of the path.
 ///
-/// The path stays the shortest among all those around it. Whether it is the shortest of all is for
-/// [`Geodesics::shortest`] to say.
+/// The path is shortest among its neighbours; [`Follow::proven`] says whether it is the shortest
+/// of all.
 pub struct Follow<'g> {
+    geodesics: &'g Geodesics<'g>,
     walk: Walk<'g>,
     last: Laid,
 }
@@ -33,7 +31,11 @@ impl<'g> Geodesics<'g> {
         let start = self.checked(path.points.first()?).ok()?;
         let mut walk = Walk::new(self.mesh, &self.charts, &start)?;
         let last = walk.take_up(&path.reversed())?;
-        Some(Follow { walk, last })
+        Some(Follow {
+            geodesics: self,
+            walk,
+            last,
+        })
     }
 }
 
@@ -44,119 +46,130 @@ impl Follow<'_> {
         self.last = tight.last;
         Some(tight.arrival())
     }
+
+    /// The shortest path of all to a point close to the end of the last one, proven so; `None`
+    /// where that cannot be told without [`Geodesics::shortest`].
+    pub fn proven(&mut self, point: &SurfacePoint) -> Option<Path> {
+        let near = self.walk.step(&self.last, point)?;
+        let tight = self.geodesics.prove(&mut self.walk, &near, point)?;
+        self.last = tight.last;
+        self.walk.path(point)
+    }
 }
 
-/// Follows paths from a point.
+/// Follows paths from a point; keeps what it allocates.
 pub(super) struct Walk<'a> {
-    mesh: &'a Mesh,
-    charts: &'a Charts,
-    from: SurfacePoint,
-    base: Laid,
+    pub(super) mesh: &'a Mesh,
+    pub(super) charts: &'a Charts,
+    pub(super) from: SurfacePoint,
+    pub(super) base: Laid,
+    /// The strip of the path that was found last, laid flat.
+    pub(super) unrolled: Unrolled,
+    pub(super) bounds: Bounds,
+    pub(super) near: Near,
+    pub(super) rays: Rays,
+    strip: Strip,
     shooter: Shooter<'a>,
     relaxer: Relaxer<'a>,
-    lens: Lens,
-    strip: Strip,
 }
 
 impl<'a> Walk<'a> {
     /// Paths from a checked point.
     pub(super) fn new(mesh: &'a Mesh, charts: &'a Charts, from: &SurfacePoint) -> Option<Self> {
+        let base = base(mesh, charts, from)?;
         Some(Self {
             mesh,
             charts,
             from: *from,
-            base: base(mesh, charts, from)?,
+            base,
+            unrolled: Unrolled::new(base),
+            bounds: Bounds::default(),
+            near: Near::default(),
+            rays: Rays::default(),
+            strip: Strip::default(),
             shooter: Shooter::new(mesh, charts),
             relaxer: Relaxer::new(mesh, charts),
-            lens: Lens::default(),
-            strip: Strip::default(),
         })
     }
 
     /// Takes up a path that ends at the walk's point, from there to where it begins; where it ends
     /// in the plane.
     pub(super) fn take_up(&mut self, path: &Path) -> Option<Laid> {
-        self.strip = Strip::along(self.mesh, path)?;
-        let (base, strip) = (&self.base, &mut self.strip);
-        let begin = path.points.first()?;
-        let tight = self.relaxer.relax(&self.from, base, strip, begin)?;
-        Some(tight.last)
+        let strip = Strip::along(self.mesh, path)?;
+        Some(self.through(strip, path.points.first()?)?.last)
     }
 
-    /// The path to a point close to the end of the path before.
+    /// The locally shortest path that a strip leads to.
+    pub(super) fn through(&mut self, strip: Strip, to: &SurfacePoint) -> Option<Tight> {
+        self.strip = strip;
+        self.relax(to)
+    }
+
+    /// The locally shortest path to a point close to the end of a path before.
     pub(super) fn step(&mut self, last: &Laid, to: &SurfacePoint) -> Option<Tight> {
         let image = self.shooter.image_near(last, to)?;
         self.towards(image, to)
     }
 
-    /// The path to a point close to the end of a path that leaves in a known direction.
-    pub(super) fn leap(
+    /// Where a path ends in the plane that leaves in a known direction.
+    pub(super) fn shot(
         &mut self,
         start: &Tangent,
         length: f64,
         end: &SurfacePoint,
-        to: &SurfacePoint,
-    ) -> Option<Tight> {
+    ) -> Option<Laid> {
         let (mesh, charts) = (self.mesh, self.charts);
         let laid = face_at(mesh, charts, &self.from, &self.base, start.face)?;
         let along = Charts::from_space(mesh, laid.entry, &start.direction);
         let at = laid.in_plane(charts, along.map(|x| x * length));
-        let (base, strip) = (&self.base, &mut self.strip);
-        let shot = self.shooter.shoot(&self.from, base, at, end, strip)?;
-        self.step(&shot.end, to)
+        self.shoot(at, end)?;
+        Some(*self.unrolled.last())
     }
 
-    /// The shortest path to a point among those with about this image and the branches around.
-    fn towards(&mut self, image: V2, to: &SurfacePoint) -> Option<Tight> {
-        let best = self.locally_towards(image, to)?;
-        Some(self.improve(best, to))
-    }
-
-    /// Goes over to shorter branches, from the path that was relaxed last.
-    pub(super) fn improve(&mut self, mut best: Tight, to: &SurfacePoint) -> Tight {
-        let mut kept = Strip::default();
-        'branches: for _ in 0..MOST_BRANCHES {
-            let around = self.relaxer.last();
-            let promising = self.lens.shorter(self.mesh, self.charts, around, &best);
-            let images: Vec<V2> = promising.iter().take(TRIALS).map(|p| p.1).collect();
-            for image in images {
-                std::mem::swap(&mut kept, &mut self.strip);
-                match self.locally_towards(image, to) {
-                    Some(other) if other.length < best.length * (1.0 - EQUAL) => {
-                        best = other;
-                        continue 'branches;
-                    }
-                    _ => {
-                        std::mem::swap(&mut kept, &mut self.strip);
-                        best.doubtful = true;
-                    }
-                }
-            }
-            break;
-        }
-        best
+    /// A locally shortest path to a point that lies ahead in space.
+    pub(super) fn cast(&mut self, ahead: &Vector3, to: &SurfacePoint) -> Option<Tight> {
+        let (mesh, charts) = (self.mesh, self.charts);
+        // Leaning to the face that the line would begin in, as far as the target is away.
+        let along = Charts::from_space(mesh, self.base.entry, ahead);
+        let stretch = ahead.norm() / norm(along);
+        let image = self.base.in_plane(charts, along.map(|x| x * stretch));
+        image
+            .iter()
+            .all(|x| x.is_finite())
+            .then(|| self.towards(image, to))?
     }
 
     /// A locally shortest path to a point with about this image.
-    fn locally_towards(&mut self, mut image: V2, to: &SurfacePoint) -> Option<Tight> {
-        let (from, base, strip) = (&self.from, &self.base, &mut self.strip);
+    fn towards(&mut self, mut image: V2, to: &SurfacePoint) -> Option<Tight> {
         for _ in 0..SHOTS {
-            let shot = self.shooter.shoot(from, base, image, to, strip)?;
-            image = shot.image;
-            if shot.straight {
-                break;
+            if self.shoot(image, to)? {
+                // No line through this strip is shorter than the straight one.
+                return self.unrolled.tight(self.mesh, self.charts);
             }
+            image = self.unrolled.image;
         }
-        self.relaxer.relax(from, base, strip, to)
+        self.relax(to)
     }
 
-    /// The best path through a strip that leads to a point.
-    pub(super) fn path_through(&mut self, strip: Strip, to: &SurfacePoint) -> Option<Path> {
-        self.strip = strip;
-        let (from, base, strip) = (&self.from, &self.base, &mut self.strip);
-        let tight = self.relaxer.relax(from, base, strip, to)?;
-        self.improve(tight, to);
-        self.relaxer.path(&self.from, &self.base, &self.strip, to)
+    fn shoot(&mut self, at: V2, to: &SurfacePoint) -> Option<bool> {
+        let from = (&self.from, &self.base);
+        self.shooter
+            .shoot(from, at, to, &mut self.strip, &mut self.unrolled)
+    }
+
+    fn relax(&mut self, to: &SurfacePoint) -> Option<Tight> {
+        let from = (&self.from, &self.base);
+        self.relaxer
+            .relax(from, &mut self.strip, to, &mut self.unrolled)?;
+        self.unrolled.tight(self.mesh, self.charts)
+    }
+
+    /// The path that was found last, with all its crossings.
+    pub(super) fn path(&mut self, to: &SurfacePoint) -> Option<Path> {
+        // A strip that was shot may begin and end with edges that the path only touches.
+        self.relax(to)?;
+        self.relaxer
+            .path(&self.from, &self.strip, to, &self.unrolled)
     }
 }
 
@@ -222,9 +235,10 @@ impl Strip {
     }
 }
 
+/// A way round a vertex.
 #[derive(Clone, Copy, PartialEq)]
-enum Turn {
-    /// Counter-clockwise around a vertex.
+pub(super) enum Turn {
+    /// Counter-clockwise.
     Left,
     /// Clockwise.
     Right,

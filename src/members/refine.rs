@@ -180,7 +180,9 @@ fn follow(
         let length = branch.to(&to.at(mesh, share))?.length;
         let here = (share, difference(share, length));
         if here.1.abs() <= CLOSE * length {
-            let path = geodesics.shortest(source, &to.at(mesh, share)).ok()?;
+            let end = to.at(mesh, share);
+            let proven = branch.proven(&end);
+            let path = proven.or_else(|| geodesics.shortest(source, &end).ok())?;
             let equal = difference(share, path.length).abs() <= EQUAL * path.length;
             return equal.then_some((share, path));
         }

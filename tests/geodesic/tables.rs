@@ -29,7 +29,7 @@ fn compare(name: &str, mesh: &Mesh, from: &[SurfacePoint], to: &[SurfacePoint]) 
     let table = geodesics.table(from, to).unwrap();
     let certificate = table.certificate;
     assert_eq!(
-        certificate.exact + certificate.agreed,
+        certificate.exact + certificate.proven,
         from.len() * to.len(),
         "{name}"
     );
@@ -72,8 +72,11 @@ fn tables_over_a_hill_hold_the_shortest_paths_on_either_side() {
         let hill = |x: f64, y: f64| 0.5 * (-4.0 * (x * x + y * y)).exp();
         let mesh = jittered([30, 30], [2.0, 2.0], 0.3, seed, all, hill);
         for table in patch("hill", &mesh, [0.8, 0.8], 24) {
-            assert_eq!(table.certificate.grounds, Grounds::Bracketed);
-            assert_eq!(table.known(0, 5), Known::Exact);
+            // Most pairs see the hill on one side only; the others are solved.
+            let certificate = table.certificate;
+            assert_eq!(certificate.grounds, Grounds::Compared);
+            assert_eq!(table.known(0, 5), Known::Proven);
+            assert!(certificate.proven > 24 * 24 / 3 && certificate.exact > 0);
         }
     }
 }
@@ -115,7 +118,7 @@ fn tables_between_borders_and_around_holes_are_exact() {
 }
 
 #[test]
-fn on_a_saddle_one_solve_is_enough_because_geodesics_are_unique() {
+fn on_a_saddle_no_solve_is_needed_because_geodesics_are_unique() {
     let mesh = grid(24, 24, [false; 2], all, |u, v| {
         let (x, y) = (2.0 * u - 1.0, 2.0 * v - 1.0);
         [x, y, 0.5 * (x * x - y * y)]
@@ -123,7 +126,7 @@ fn on_a_saddle_one_solve_is_enough_because_geodesics_are_unique() {
     for table in patch("saddle", &mesh, [0.8, 0.8], 24) {
         let certificate = table.certificate;
         assert_eq!(certificate.grounds, Grounds::Unique);
-        assert_eq!((certificate.solves, certificate.exact), (1, 24));
+        assert_eq!((certificate.solves, certificate.exact), (0, 0));
     }
     // A hole lets geodesics pass on both sides.
     let holed = grid(

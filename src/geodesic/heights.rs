@@ -1,0 +1,321 @@
+//! How far from a geodesic another one with the same ends can run.
+//!
+//! Two geodesics with common ends enclose as much curvature as the sum of the angles between them,
+//! or more (Gauss-Bonnet; bends at saddles and borders only add to it). So let y(x) bound the
+//! distance between them over the arc length x of one of them, of length L: the other one turns
+//! towards it only by the positive curvature below it, and
+//!
+//! ```text
+//! y(x) <= Σ κ g(x, r),   g(x, r) = min(x, r) (L - max(x, r)) / L,
+//! ```
+//!
+//! over the vertices of curvature κ > 0 at arc lengths r below y. Begun with the bound L / 2 that
+//! every shorter path keeps, this is applied again and again: every result is a bound. Where no
+//! geodesic lies on that side it falls until nothing is below it; on smooth surfaces that is
+//! Sturm's comparison. The sum is exact for narrow lenses; wide ones get the factor by which a
+//! cone's lens is wider ([`widening`]).
+//!
+//! Curvature is gathered in cells here ([`Masses`]), which bounds a whole block of neighbouring
+//! geodesics at once; `near` goes on with single vertices.
+
+use super::laid::Side;
+use super::masses::{Mass, Masses};
+use crate::surface::{Point3, Vector3};
+use std::ops::RangeInclusive;
+
+/// Places along a path where the bound is kept, beside its begin.
+pub(super) const PLACES: usize = 24;
+
+/// Rounds of the comparison.
+const ROUNDS: usize = 40;
+
+/// A round that lowers the bound by less than this share is the last.
+const SETTLED: f64 = 0.97;
+
+/// Places along a geodesic, evenly, with its normals.
+#[derive(Debug, Clone)]
+pub(super) struct Trail {
+    pub(super) points: [Point3; PLACES + 1],
+    pub(super) normals: [Vector3; PLACES + 1],
+    /// Metres.
+    pub(super) length: f64,
+    /// The path is no farther from its chords, metres.
+    sag: f64,
+    /// How far the surface along the path stays nearly flat around each place, metres.
+    flat: [f64; PLACES + 1],
+}
+
+/// The least cosine between normals where the surface is nearly flat.
+const FLAT: f64 = 0.7;
+
+/// What lies aside of a path by this share of its distance, and not above or below, is on one side
+/// of it.
+const ASIDE: f64 = 0.7;
+
+/// So much curvature, radians, farther from a path than its length may be enclosed by another one
+/// with the same ends: a cone must have more, twice the angle with the tangent 2.
+const FARTHEST: f64 = 2.0;
+
+/// Bounds of the distance of other geodesics from a path, on one side of it.
+#[derive(Debug, Clone)]
+pub(super) struct Heights {
+    /// At the places of the path, metres.
+    pub(super) at: [f64; PLACES + 1],
+    /// The curvature that may be enclosed, radians.
+    pub(super) turn: f64,
+}
+
+/// Curvature near a trail, on one side.
+#[derive(Debug, Clone, Copy)]
+struct Near {
+    /// Number of the place below, with fractions between two; none where it may be below several.
+    place: Option<f64>,
+    /// Metres.
+    height: f64,
+    /// Radians.
+    curvature: f64,
+}
+
+/// Finds bounds; keeps what it allocates.
+#[derive(Default)]
+pub(super) struct Bounds {
+    near: [Vec<Near>; 2],
+}
+
+impl Bounds {
+    /// Bounds on both sides (left, right) that hold for every geodesic which keeps within a
+    /// distance of the trail, metres.
+    pub(super) fn around(&mut self, trail: &Trail, within: f64, masses: &Masses) -> [Heights; 2] {
+        let mut heights = Side::BOTH.map(|_| Heights::any(trail.length));
+        // The paths that keep within the distance are as uneven as the trail.
+        let within = within + 2.0 * trail.sag;
+        let longest = trail.length + 2.0 * within;
+        let reach = longest + within;
+        let mut beyond = 0.0;
+        self.clear();
+        for whole in &masses.wholes {
+            if !self.add(trail, &whole.mass, 0..=PLACES, reach, within) {
+                beyond += whole.net.max(0.0);
+            }
+        }
+        if beyond > FARTHEST {
+            return heights;
+        }
+        for (heights, near) in heights.iter_mut().zip(&self.near) {
+            heights.settle(near, longest);
+        }
+        let reach = within + heights[0].highest().max(heights[1].highest());
+        let step = trail.length / PLACES as f64;
+        self.clear();
+        for whole in &masses.wholes {
+            let mass = &whole.mass;
+            let (i, far) = trail.nearest(&mass.at, 0..=PLACES);
+            if far > reach + mass.radius + step {
+                continue;
+            }
+            // What is close to the whole and to the trail is close to the same places.
+            let around = 2 + (2.0 * mass.radius / step) as usize;
+            let places = i.saturating_sub(around)..=(i + around).min(PLACES);
+            for part in &masses.parts[whole.parts.clone()] {
+                self.add(trail, part, places.clone(), reach, within);
+            }
+        }
+        for (heights, near) in heights.iter_mut().zip(&self.near) {
+            heights.settle(near, longest);
+        }
+        heights
+    }
+
+    fn clear(&mut self) {
+        for near in &mut self.near {
+            near.clear();
+        }
+    }
+
+    /// Notes curvature within reach of the places of a trail, as if it were closer by a distance;
+    /// whether it is.
+    fn add(
+        &mut self,
+        trail: &Trail,
+        mass: &Mass,
+        places: RangeInclusive<usize>,
+        reach: f64,
+        within: f64,
+    ) -> bool {
+        let closer = within + mass.radius;
+        let (i, _) = trail.nearest(&mass.at, places);
+        let (begin, end) = (i.saturating_sub(1), (i + 1).min(PLACES));
+        let chord = trail.points[end] - trail.points[begin];
+        let out = mass.at - trail.points[i];
+        let share = (out.dot(&chord) / chord.norm_squared()).clamp(-0.5, 0.5);
+        let out = out - chord * share;
+        let height = out.norm();
+        if height - mass.radius > reach {
+            return false;
+        }
+        let place = i as f64 + share * (end - begin) as f64;
+        let near = Near {
+            place: (mass.radius < trail.length / PLACES as f64)
+                .then_some(place.clamp(0.0, PLACES as f64)),
+            height: (height - closer).max(0.0),
+            curvature: mass.curvature,
+        };
+        let aside = trail.normals[i].cross(&chord).dot(&out) / chord.norm();
+        // Clearly on one side, or on both.
+        let clear = height > closer
+            && height < trail.flat[i]
+            && !mass.rough
+            && aside.abs() > ASIDE * height;
+        for side in Side::BOTH {
+            let aside = if side == Side::Left { aside } else { -aside };
+            if !clear || aside > 0.0 {
+                self.near[side as usize].push(near);
+            }
+        }
+        true
+    }
+}
+
+impl Trail {
+    /// A trail over places, with the normals of the surface there.
+    pub(super) fn new(
+        points: &[Point3; PLACES + 1],
+        normals: &[Vector3; PLACES + 1],
+        length: f64,
+        sag: f64,
+    ) -> Self {
+        let step = length / PLACES as f64;
+        let flat = std::array::from_fn(|i: usize| {
+            let alike = |j: usize| normals[i].dot(&normals[j]) > FLAT;
+            let ahead = (i + 1..=PLACES).take_while(|&j| alike(j)).count();
+            let behind = (0..i).rev().take_while(|&j| alike(j)).count();
+            // Beyond an end nobody has looked.
+            let ahead = if i + ahead == PLACES {
+                usize::MAX
+            } else {
+                ahead
+            };
+            let behind = if behind == i { usize::MAX } else { behind };
+            match ahead.min(behind) {
+                usize::MAX => length,
+                places => places as f64 * step,
+            }
+        });
+        Self {
+            points: *points,
+            normals: *normals,
+            length,
+            sag,
+            flat,
+        }
+    }
+
+    /// How far a point is from the trail, metres, near a place.
+    pub(super) fn distance(&self, point: &Point3, near: usize) -> f64 {
+        let far = |i: &usize| (self.points[*i] - point).norm_squared();
+        let places = near.saturating_sub(2)..=(near + 2).min(PLACES);
+        let nearest = places.min_by(|a, b| far(a).total_cmp(&far(b)));
+        let i = nearest.unwrap_or(PLACES);
+        let chord = self.points[(i + 1).min(PLACES)] - self.points[i.saturating_sub(1)];
+        let out = point - self.points[i];
+        let along = out.dot(&chord).powi(2) / chord.norm_squared();
+        (out.norm_squared() - along).max(0.0).sqrt()
+    }
+
+    /// Which of some places is next to a point, and how far that is, metres.
+    fn nearest(&self, point: &Point3, places: RangeInclusive<usize>) -> (usize, f64) {
+        let (mut nearest, mut least) = (0, f64::INFINITY);
+        for i in places {
+            let far = (self.points[i] - point).norm_squared();
+            if far < least {
+                (nearest, least) = (i, far);
+            }
+        }
+        (nearest, least.sqrt())
+    }
+}
+
+impl Heights {
+    /// What holds for all vertices that can matter.
+    fn any(length: f64) -> Self {
+        Self {
+            at: [length; PLACES + 1],
+            turn: f64::INFINITY,
+        }
+    }
+
+    /// Applies the comparison until it changes little.
+    fn settle(&mut self, near: &[Near], length: f64) {
+        let step = length / PLACES as f64;
+        for _ in 0..ROUNDS {
+            let mut turns = [0.0; PLACES + 1];
+            let (mut turn, mut anywhere) = (0.0, 0.0);
+            let before = self.highest();
+            for n in near {
+                let Some(place) = n.place else {
+                    if n.height < before {
+                        anywhere += n.curvature;
+                    }
+                    continue;
+                };
+                let i = (place as usize).min(PLACES - 1);
+                if n.height < self.at[i].max(self.at[i + 1]) {
+                    let share = place - i as f64;
+                    turns[i] += n.curvature * (1.0 - share);
+                    turns[i + 1] += n.curvature * share;
+                    turn += n.curvature;
+                }
+            }
+            turn += anywhere;
+            self.turn = turn;
+            // Falls off from place to place by the turns there, from zero to zero.
+            let mut slope: f64 = (1..PLACES)
+                .map(|i| turns[i] * (1.0 - i as f64 / PLACES as f64))
+                .sum();
+            let factor = widening(turn);
+            let mut y = 0.0_f64;
+            for i in 0..=PLACES {
+                let around = turns[i.saturating_sub(1)..=(i + 1).min(PLACES)].iter();
+                // Between two places it rises above both by no more than the turns there.
+                let bound = y.max(0.0) + 0.25 * step * around.sum::<f64>();
+                // The sum is greatest where the curvature is right below.
+                let x = i as f64 * step;
+                let bound = bound + anywhere * x * (length - x) / length;
+                self.at[i] = self.at[i].min(factor * bound);
+                if i > 0 {
+                    slope -= turns[i];
+                }
+                y += slope * step;
+            }
+            if self.highest() > SETTLED * before {
+                break;
+            }
+        }
+    }
+
+    /// Metres.
+    pub(super) fn highest(&self) -> f64 {
+        self.at.iter().fold(0.0, |a, &b| a.max(b))
+    }
+
+    /// The bound at a share of the path, or of one beside it: places of two such paths may be one
+    /// apart.
+    pub(super) fn over(&self, share: f64) -> f64 {
+        let place = share.clamp(0.0, 1.0) * PLACES as f64;
+        let i = (place as usize).min(PLACES - 1);
+        let around = &self.at[i.saturating_sub(1)..=(i + 2).min(PLACES)];
+        around.iter().fold(0.0, |a, &b| a.max(b))
+    }
+}
+
+/// A lens over this much curvature, radians, is wider by at most this factor than the sum says: that
+/// of a cone, twice the tangent of half the angle over the angle.
+pub(super) fn widening(turn: f64) -> f64 {
+    if turn < 1e-4 {
+        1.0
+    } else if turn < 3.0 {
+        2.0 * libm::tan(0.5 * turn) / turn
+    } else {
+        f64::INFINITY
+    }
+}

@@ -1,0 +1,147 @@
+//! Positive curvature, gathered in cells: what two geodesics with common ends have to enclose.
+
+use super::charts::Charts;
+use crate::surface::{Mesh, Point3, Vector3};
+use std::ops::Range;
+
+/// Fine cells along the longest side of a mesh.
+const FINE: f64 = 128.0;
+
+/// Fine cells along a coarse one.
+const COARSE: i64 = 8;
+
+/// The positive curvature of a part of the mesh.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Mass {
+    /// Mean place of its vertices.
+    pub(super) at: Point3,
+    /// None of them is farther from there, metres.
+    pub(super) radius: f64,
+    /// Radians.
+    pub(super) curvature: f64,
+    /// Whether faces about it are folded, so that places in space do not tell sides.
+    pub(super) rough: bool,
+}
+
+/// The least cosine between the normals of neighbouring faces that are not folded.
+const FOLDED: f64 = 0.5;
+
+/// The positive curvature of a mesh in cells of two sizes.
+pub(super) struct Masses {
+    /// Coarse cells.
+    pub(super) wholes: Vec<Whole>,
+    /// Fine cells.
+    pub(super) parts: Vec<Mass>,
+}
+
+/// A coarse cell.
+pub(super) struct Whole {
+    pub(super) mass: Mass,
+    /// Its fine cells.
+    pub(super) parts: Range<usize>,
+    /// The sum of all curvature in it, radians: little where the mesh is merely uneven.
+    pub(super) net: f64,
+}
+
+/// A vertex and its cells.
+struct Vertex {
+    coarse: [i64; 3],
+    fine: [i64; 3],
+    at: Point3,
+    curvature: f64,
+    rough: bool,
+}
+
+impl Masses {
+    pub(super) fn new(mesh: &Mesh, charts: &Charts) -> Self {
+        let positions = mesh.positions();
+        let mut low = [f64::INFINITY; 3];
+        let mut high = [f64::NEG_INFINITY; 3];
+        for p in positions {
+            for i in 0..3 {
+                low[i] = low[i].min(p[i]);
+                high[i] = high[i].max(p[i]);
+            }
+        }
+        let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+        let side = if extent > 0.0 { extent / FINE } else { 1.0 };
+        let rough = rough(mesh);
+        let known = charts.curvatures.iter().zip(&rough);
+        let mut vertices: Vec<Vertex> = positions
+            .iter()
+            .zip(known)
+            .map(|(&at, (&curvature, &rough))| {
+                let fine = [0, 1, 2].map(|i| ((at[i] - low[i]) / side).floor() as i64);
+                Vertex {
+                    coarse: fine.map(|i| i / COARSE),
+                    fine,
+                    at,
+                    curvature,
+                    rough,
+                }
+            })
+            .collect();
+        // Stable: sums within a cell keep the order of the vertices.
+        vertices.sort_by_key(|vertex| (vertex.coarse, vertex.fine));
+        let mut masses = Self {
+            wholes: Vec::new(),
+            parts: Vec::new(),
+        };
+        for whole in vertices.chunk_by(|a, b| a.coarse == b.coarse) {
+            let begin = masses.parts.len();
+            let cells = whole.chunk_by(|a, b| a.fine == b.fine);
+            masses.parts.extend(cells.filter_map(gather));
+            if let Some(mass) = gather(whole) {
+                masses.wholes.push(Whole {
+                    mass,
+                    parts: begin..masses.parts.len(),
+                    net: whole.iter().map(|vertex| vertex.curvature).sum(),
+                });
+            }
+        }
+        masses
+    }
+}
+
+/// The positive curvature of some vertices, if there is any.
+fn gather(vertices: &[Vertex]) -> Option<Mass> {
+    let positive = || vertices.iter().filter(|vertex| vertex.curvature > 0.0);
+    let sum: Vector3 = positive().map(|vertex| vertex.at.coords).sum();
+    let count = positive().count();
+    let at = Point3::from(sum / count as f64);
+    let far = positive().map(|vertex| (vertex.at - at).norm());
+    (count > 0).then(|| Mass {
+        at,
+        radius: far.fold(0.0, f64::max),
+        curvature: positive().map(|vertex| vertex.curvature).sum(),
+        rough: positive().any(|vertex| vertex.rough),
+    })
+}
+
+/// Per vertex whether faces about it or about a neighbour are folded.
+fn rough(mesh: &Mesh) -> Vec<bool> {
+    let normals: Vec<Vector3> = (0..mesh.face_count())
+        .map(|f| mesh.face_normal(f))
+        .collect();
+    let mut folded = vec![false; mesh.positions().len()];
+    for h in mesh.edges() {
+        if let Some(twin) = mesh.twin(h)
+            && normals[h.face() as usize].dot(&normals[twin.face() as usize]) < FOLDED
+        {
+            for v in [mesh.origin(h), mesh.target(h)] {
+                folded[v as usize] = true;
+            }
+        }
+    }
+    let mut rough = folded.clone();
+    for face in mesh
+        .faces()
+        .iter()
+        .filter(|f| f.iter().any(|&v| folded[v as usize]))
+    {
+        for &v in face {
+            rough[v as usize] = true;
+        }
+    }
+    rough
+}
