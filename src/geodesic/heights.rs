@@ -74,6 +74,19 @@ struct Near {
     height: f64,
     /// Radians.
     curvature: f64,
+    /// As of a mass.
+    rough: bool,
+}
+
+impl Near {
+    /// Whether it lies below a bound.
+    fn is_below(&self, heights: &Heights) -> bool {
+        let bound = match self.place {
+            Some(place) => heights.between(place),
+            None => heights.highest(),
+        };
+        self.height < bound
+    }
 }
 
 /// Finds bounds; keeps what it allocates.
@@ -122,6 +135,9 @@ impl Bounds {
         }
         for (heights, near) in heights.iter_mut().zip(&self.near) {
             heights.settle(near, longest);
+            if near.iter().any(|n| n.rough && n.is_below(heights)) {
+                heights.turn = f64::INFINITY;
+            }
         }
         heights
     }
@@ -159,6 +175,7 @@ impl Bounds {
                 .then_some(place.clamp(0.0, PLACES as f64)),
             height: (height - closer).max(0.0),
             curvature: mass.curvature,
+            rough: mass.rough,
         };
         let aside = trail.normals[i].cross(&chord).dot(&out) / chord.norm();
         // Clearly on one side, or on both.
@@ -251,22 +268,17 @@ impl Heights {
             let mut turns = [0.0; PLACES + 1];
             let (mut turn, mut anywhere) = (0.0, 0.0);
             let before = self.highest();
-            for n in near {
+            for n in near.iter().filter(|n| n.is_below(self)) {
+                turn += n.curvature;
                 let Some(place) = n.place else {
-                    if n.height < before {
-                        anywhere += n.curvature;
-                    }
+                    anywhere += n.curvature;
                     continue;
                 };
                 let i = (place as usize).min(PLACES - 1);
-                if n.height < self.at[i].max(self.at[i + 1]) {
-                    let share = place - i as f64;
-                    turns[i] += n.curvature * (1.0 - share);
-                    turns[i + 1] += n.curvature * share;
-                    turn += n.curvature;
-                }
+                let share = place - i as f64;
+                turns[i] += n.curvature * (1.0 - share);
+                turns[i + 1] += n.curvature * share;
             }
-            turn += anywhere;
             self.turn = turn;
             // Falls off from place to place by the turns there, from zero to zero.
             let mut slope: f64 = (1..PLACES)
@@ -296,6 +308,12 @@ impl Heights {
     /// Metres.
     pub(super) fn highest(&self) -> f64 {
         self.at.iter().fold(0.0, |a, &b| a.max(b))
+    }
+
+    /// The bound about a place and a fraction.
+    fn between(&self, place: f64) -> f64 {
+        let i = (place as usize).min(PLACES - 1);
+        self.at[i].max(self.at[i + 1])
     }
 
     /// The bound at a share of the path, or of one beside it: places of two such paths may be one
