@@ -30,7 +30,7 @@ pub(super) const PLACES: usize = 24;
 const ROUNDS: usize = 40;
 
 /// A round that lowers the bound by less than this share is the last.
-const SETTLED: f64 = 0.97;
+const SETTLED: f64 = 0.96;
 
 /// Places along a geodesic, evenly, with its normals.
 #[derive(Debug, Clone)]
@@ -76,6 +76,8 @@ struct Near {
     curvature: f64,
     /// As of a mass.
     rough: bool,
+    /// Number of its fine cell.
+    part: usize,
 }
 
 impl Near {
@@ -107,14 +109,14 @@ impl Bounds {
         let mut beyond = 0.0;
         self.clear();
         for whole in &masses.wholes {
-            if !self.add(trail, &whole.mass, 0..=PLACES, reach, within) {
+            if !self.add(trail, (0, &whole.mass), 0..=PLACES, reach, within) {
                 beyond += whole.net.max(0.0);
             }
         }
         if beyond > FARTHEST {
             return heights;
         }
-        for (heights, near) in heights.iter_mut().zip(&self.near) {
+        for (heights, near) in heights.iter_mut().zip(&mut self.near) {
             heights.settle(near, longest);
         }
         let reach = within + heights[0].highest().max(heights[1].highest());
@@ -129,17 +131,49 @@ impl Bounds {
             // What is close to the whole and to the trail is close to the same places.
             let around = 2 + (2.0 * mass.radius / step) as usize;
             let places = i.saturating_sub(around)..=(i + around).min(PLACES);
-            for part in &masses.parts[whole.parts.clone()] {
-                self.add(trail, part, places.clone(), reach, within);
+            for part in whole.parts.clone() {
+                let mass = (part, &masses.parts[part]);
+                self.add(trail, mass, places.clone(), reach, within);
             }
         }
-        for (heights, near) in heights.iter_mut().zip(&self.near) {
+        self.finish(&mut heights, longest);
+        heights
+    }
+
+    /// The fine cells below the bounds that were found last: there is no curvature but theirs for any
+    /// geodesic beside a path for which these hold.
+    pub(super) fn parts(&self) -> Vec<usize> {
+        let mut parts: Vec<usize> = self.near.iter().flatten().map(|near| near.part).collect();
+        parts.sort_unstable();
+        parts.dedup();
+        parts
+    }
+
+    /// Bounds on both sides of a trail over these fine cells alone.
+    pub(super) fn among(
+        &mut self,
+        trail: &Trail,
+        masses: &Masses,
+        parts: &[usize],
+    ) -> [Heights; 2] {
+        let mut heights = Side::BOTH.map(|_| Heights::any(trail.length));
+        self.clear();
+        for &part in parts {
+            let mass = (part, &masses.parts[part]);
+            self.add(trail, mass, 0..=PLACES, trail.length, 2.0 * trail.sag);
+        }
+        self.finish(&mut heights, trail.length);
+        heights
+    }
+
+    fn finish(&mut self, heights: &mut [Heights; 2], longest: f64) {
+        for (heights, near) in heights.iter_mut().zip(&mut self.near) {
             heights.settle(near, longest);
-            if near.iter().any(|n| n.rough && n.is_below(heights)) {
+            near.retain(|n| n.is_below(heights));
+            if near.iter().any(|n| n.rough) {
                 heights.turn = f64::INFINITY;
             }
         }
-        heights
     }
 
     fn clear(&mut self) {
@@ -153,7 +187,7 @@ impl Bounds {
     fn add(
         &mut self,
         trail: &Trail,
-        mass: &Mass,
+        (part, mass): (usize, &Mass),
         places: RangeInclusive<usize>,
         reach: f64,
         within: f64,
@@ -176,6 +210,7 @@ impl Bounds {
             height: (height - closer).max(0.0),
             curvature: mass.curvature,
             rough: mass.rough,
+            part,
         };
         let aside = trail.normals[i].cross(&chord).dot(&out) / chord.norm();
         // Clearly on one side, or on both.
@@ -262,13 +297,15 @@ impl Heights {
     }
 
     /// Applies the comparison until it changes little.
-    fn settle(&mut self, near: &[Near], length: f64) {
+    fn settle(&mut self, near: &mut Vec<Near>, length: f64) {
         let step = length / PLACES as f64;
         for _ in 0..ROUNDS {
             let mut turns = [0.0; PLACES + 1];
             let (mut turn, mut anywhere) = (0.0, 0.0);
             let before = self.highest();
-            for n in near.iter().filter(|n| n.is_below(self)) {
+            // The bound only falls.
+            near.retain(|n| n.is_below(self));
+            for n in near.iter() {
                 turn += n.curvature;
                 let Some(place) = n.place else {
                     anywhere += n.curvature;

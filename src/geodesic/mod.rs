@@ -115,7 +115,7 @@ pub use variation::{angle_between, derivative_along};
 pub use walk::Follow;
 
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
-use aim::Aim;
+use aim::{Aim, Range};
 use charts::Charts;
 use front::Front;
 use masses::Masses;
@@ -217,16 +217,25 @@ impl<'m> Geodesics<'m> {
             None => self.field(&from, Reach::Targets(&[to]))?.path_to(&to),
             Some((path, true)) => Ok(path),
             Some((path, false)) => {
-                let shorter = self.shorter(&from, &[(to, path.length)]).pop().flatten();
+                let known = [(to, path.length)];
+                let shorter = self.shorter(&from, &known, None).pop().flatten();
                 Ok(shorter.unwrap_or(path))
             }
         }
     }
 
-    /// Exact paths from a point that are shorter than known ones; `None` where there is none.
-    fn shorter(&self, from: &SurfacePoint, known: &[(SurfacePoint, f64)]) -> Vec<Option<Path>> {
+    /// Exact paths from a point that are shorter than known ones, looked for in all directions or
+    /// in a range; `None` where there is none.
+    fn shorter(
+        &self,
+        from: &SurfacePoint,
+        known: &[(SurfacePoint, f64)],
+        range: Option<Range>,
+    ) -> Vec<Option<Path>> {
         let targets: Vec<SurfacePoint> = known.iter().map(|k| k.0).collect();
-        let swept = self.sweep_to(from, &targets, Aim::new(self.mesh, known));
+        let mut aim = Aim::new(self.mesh, known);
+        aim.range = range;
+        let swept = self.sweep_to(from, &targets, aim);
         let field = Field::new(self, *from, swept);
         let shorter = |(to, length): &(SurfacePoint, f64)| {
             let path = field.path_to(to).ok()?;

@@ -13,21 +13,34 @@ use crate::surface::{HalfEdge, Point3, SurfacePoint, Vector3};
 /// Crossings of a path that are compared with a trail.
 const COMPARED: usize = 8;
 
+/// How far on the left and right of a path a shorter one may leave, radians.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Room(pub(super) [f64; 2]);
+
+impl Room {
+    /// In any direction.
+    pub(super) const ANY: Self = Self([f64::INFINITY; 2]);
+}
+
 impl Geodesics<'_> {
-    /// The shortest path to a point, given one that a walk has just found; `None` where that cannot
-    /// be told without the exact solver.
+    /// The shortest path to a point, given one that a walk has just found, or the room that is left
+    /// for a shorter one; `among` are the only fine cells that matter, if that is known.
     pub(super) fn prove(
         &self,
         walk: &mut Walk<'_>,
         path: &Tight,
         to: &SurfacePoint,
-    ) -> Option<Tight> {
+        among: Option<&[usize]>,
+    ) -> Result<Tight, Room> {
         match self.grounds() {
-            Grounds::Unique => Some(*path),
-            Grounds::Solved => None,
+            Grounds::Unique => Ok(*path),
+            Grounds::Solved => Err(Room::ANY),
             Grounds::Compared => {
                 let trail = walk.trail(path, to);
-                let heights = walk.bounds.around(&trail, 0.0, self.masses());
+                let heights = match among {
+                    Some(parts) => walk.bounds.among(&trail, self.masses(), parts),
+                    None => walk.bounds.around(&trail, 0.0, self.masses()),
+                };
                 walk.proven(path, to, &heights)
             }
         }
@@ -36,23 +49,29 @@ impl Geodesics<'_> {
 
 impl Walk<'_> {
     /// The shortest path to a point, given one that was just found and how far from it another
-    /// one may run; `None` where that does not decide it.
+    /// one may run, or the room that this leaves.
     pub(super) fn proven(
         &mut self,
         path: &Tight,
         to: &SurfacePoint,
         heights: &[Heights; 2],
-    ) -> Option<Tight> {
+    ) -> Result<Tight, Room> {
         let surface = (self.mesh, self.charts);
         let mut turns = [0.0; 2];
+        let mut known = true;
         for side in Side::BOTH {
             let heights = &heights[side as usize];
-            turns[side as usize] =
-                self.near
-                    .turn(surface, &self.unrolled, path.length, side, heights)?;
+            let turn = self
+                .near
+                .turn(surface, &self.unrolled, path.length, side, heights);
+            turns[side as usize] = turn.unwrap_or(heights.turn);
+            known &= turn.is_some();
+        }
+        if !known {
+            return Err(Room(turns));
         }
         if turns == [0.0; 2] {
-            return Some(*path);
+            return Ok(*path);
         }
         let around = self.faces_around();
         let ends = Ends {
@@ -64,15 +83,15 @@ impl Walk<'_> {
             .rays
             .shorter(surface, &ends, path.ahead, turns, path.length);
         match found {
-            Found::Nothing => Some(*path),
-            Found::Shorter(strip) => self.through(strip, to),
-            Found::Unknown => None,
+            Found::Nothing => Ok(*path),
+            Found::Shorter(strip) => self.through(strip, to).ok_or(Room::ANY),
+            Found::Unknown => Err(Room(turns)),
         }
     }
 
     /// The faces around the begin in the plane of the path that was found last, those in its
     /// direction first: what does not fit together at a curved vertex does not behind the path.
-    fn faces_around(&self) -> Vec<Laid> {
+    pub(super) fn faces_around(&self) -> Vec<Laid> {
         let (mesh, charts) = (self.mesh, self.charts);
         let first = self.unrolled.first;
         let mut faces = vec![first];

@@ -22,7 +22,7 @@ impl Geodesics<'_> {
             Some(near) => near,
             None => walk.through(self.faces_between(from, to)?, to)?,
         };
-        let proven = self.prove(&mut walk, &near, to).is_some();
+        let proven = self.prove(&mut walk, &near, to, None).is_ok();
         Some((walk.path(to)?, proven))
     }
 

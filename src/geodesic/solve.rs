@@ -86,7 +86,9 @@ pub(super) struct Sweep<'a> {
     pub(super) targets_of_face: Vec<(u32, u32)>,
     /// Windows nearer than this are still wanted.
     bound: f64,
-    aim: Aim,
+    pub(super) aim: Aim,
+    /// Whether it began in a range of directions only.
+    pub(super) ranged: bool,
     pub(super) front: &'a mut Front,
     pub(super) scratch: Scratch,
 }
@@ -133,6 +135,7 @@ impl<'a> Sweep<'a> {
             targets_of_face,
             bound: aim.farthest(),
             aim,
+            ranged: false,
             front,
             scratch: Scratch::default(),
         }

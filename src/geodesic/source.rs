@@ -1,12 +1,31 @@
 //! Where windows begin: at the source, and at vertices where shortest paths bend.
 
+use super::aim::{Opening, Range};
 use super::solve::{Approach, CLEARLY, Sweep};
 use super::window::{SOURCE, Window};
 use crate::surface::{HalfEdge, SurfacePoint};
 
+/// A side is in a shadow that begins with it, up to this angle, radians.
+const ALONG: f64 = 1e-9;
+
+/// Straight from the origin of a half-edge.
+fn from_origin(h: HalfEdge, root: u32) -> Approach {
+    Approach {
+        entry: h.0,
+        root,
+        x: 0.0,
+        y: 0.0,
+    }
+}
+
 impl Sweep<'_> {
     /// First windows and distances around the source.
     pub(super) fn start(&mut self, source: &SurfacePoint) {
+        if let Some(range) = self.aim.range.take() {
+            self.ranged = true;
+            self.start_in(source, &range);
+            return;
+        }
         if let SurfacePoint::Vertex(v) = *source {
             self.distances[v as usize] = 0.0;
             self.fill_around(v, 0.0, SOURCE);
@@ -35,6 +54,39 @@ impl Sweep<'_> {
                     self.emit(twin, [0.0, length], length - x, y, 0.0, SOURCE);
                 }
             }
+            self.reach_targets_inside(face, source);
+        }
+    }
+
+    /// First windows and distances in a range of directions.
+    fn start_in(&mut self, source: &SurfacePoint, range: &Range) {
+        for opening in range.openings(self.mesh, self.charts) {
+            let Opening { along, depth, .. } = opening;
+            self.emit(opening.entry, opening.interval, along, depth, 0.0, SOURCE);
+            let inner = self.mesh.twin(opening.entry);
+            for (vertex, distance) in opening.ends.into_iter().flatten() {
+                // Seen from the side of its face that is opposite.
+                let opposite = inner.map(|h| {
+                    if self.mesh.origin(h) == vertex {
+                        h.next()
+                    } else {
+                        h.prev()
+                    }
+                });
+                let Some(entry) = opposite else { continue };
+                let Some([x, y]) = self.charts.coordinates(self.mesh, entry, source) else {
+                    continue;
+                };
+                let approach = Approach {
+                    entry: entry.0,
+                    root: SOURCE,
+                    x,
+                    y,
+                };
+                self.reach(vertex, distance, approach);
+            }
+        }
+        for face in source.faces(self.mesh) {
             self.reach_targets_inside(face, source);
         }
     }
@@ -87,23 +139,31 @@ impl Sweep<'_> {
     /// Offers the two other corners of the face above `h` the way along its sides, and targets
     /// in the face the straight line from the origin of `h`.
     fn reach_neighbours(&mut self, h: HalfEdge, sigma: f64, root: u32) {
+        self.reach_far_end(h, sigma, root);
+        self.reach_end(h, sigma, root);
+        self.reach_straight(h, from_origin(h, root), sigma);
+    }
+
+    /// Offers the corner opposite a half-edge the way along the side from its origin.
+    fn reach_far_end(&mut self, h: HalfEdge, sigma: f64, root: u32) {
+        let length = self.charts.chart(h).left_length;
+        self.reach(
+            self.mesh.origin(h.prev()),
+            sigma + length,
+            from_origin(h, root),
+        );
+    }
+
+    /// Offers the end of a half-edge the way along it.
+    fn reach_end(&mut self, h: HalfEdge, sigma: f64, root: u32) {
         let chart = self.charts.chart(h);
-        let (length, left_length) = (chart.length, chart.left_length);
-        let from_origin = Approach {
-            entry: h.0,
-            root,
-            x: 0.0,
-            y: 0.0,
-        };
-        self.reach(self.mesh.origin(h.prev()), sigma + left_length, from_origin);
         let from_end = Approach {
             entry: h.prev().0,
             root,
-            x: left_length,
+            x: chart.left_length,
             y: 0.0,
         };
-        self.reach(self.mesh.target(h), sigma + length, from_end);
-        self.reach_straight(h, from_origin, sigma);
+        self.reach(self.mesh.target(h), sigma + chart.length, from_end);
     }
 
     /// A vertex where paths bend becomes a source for the directions in its shadow: those that
@@ -127,17 +187,29 @@ impl Sweep<'_> {
         } else {
             self.charts.total_angles[v as usize]
         };
-        // The sides are ways in any case: where the border is straight the shadow is a line.
+        // The sides are ways in any case: where the border is straight the shadow is a line. From a
+        // range of directions only those in the shadow lead on.
+        let ranged = self.ranged;
         for h in self.mesh.outgoing(v) {
-            self.reach_neighbours(h, sigma, v);
+            if ranged {
+                self.reach_straight(h, from_origin(h, v), sigma);
+            } else {
+                self.reach_neighbours(h, sigma, v);
+            }
         }
         // Counter-clockwise from the arrival.
         let mut angle = -inside;
         let mut h = first;
         loop {
             let span = self.charts.angles[h.0 as usize];
+            if ranged && angle > pi - ALONG && angle < full - pi + ALONG {
+                self.reach_end(h, sigma, v);
+            }
             self.fill_sector(h, [pi - angle, full - pi - angle], sigma, v);
             angle += span;
+            if ranged && angle > pi - ALONG && angle < full - pi + ALONG {
+                self.reach_far_end(h, sigma, v);
+            }
             match self.mesh.twin(h.prev()) {
                 Some(next) if angle < full - pi && next != first => h = next,
                 _ => break,
@@ -150,6 +222,9 @@ impl Sweep<'_> {
         let mut angle = inside;
         let mut h = first;
         loop {
+            if ranged && angle > pi - ALONG {
+                self.reach_end(h, sigma, v);
+            }
             self.fill_sector(h, [f64::NEG_INFINITY, angle - pi], sigma, v);
             match self.mesh.twin(h) {
                 Some(twin) => {

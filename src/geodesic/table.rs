@@ -1,8 +1,11 @@
 //! Tables of shortest distances between two rows of points, and how they are known to be shortest.
 
+use super::aim::Range;
 use super::certificate::{Certificate, Grounds};
+use super::charts::Charts;
 use super::heights::{Heights, Trail};
-use super::laid::Laid;
+use super::laid::{Laid, cross, dot};
+use super::proof::Room;
 use super::unrolled::Tight;
 use super::walk::Walk;
 use super::{Arrival, GeodesicError, Geodesics, Path, Reach};
@@ -52,6 +55,19 @@ const TUBE: f64 = 1.15;
 /// Blocks that are wider than this share of their paths are no neighbours.
 const WIDEST: f64 = 0.06;
 
+/// Points of a path lie on it up to this share of its length.
+const ON: f64 = 1e-9;
+
+/// How much steeper paths arrive at a row than others can differ from them: directions of a row are
+/// those of its chords.
+const IN_FRONT: f64 = 1.1;
+
+/// Directions of paths are known to this angle, radians.
+const PLAY: f64 = 1e-9;
+
+/// Directions farther than this from the middle, radians, are not told apart from all.
+const WIDEST_RANGE: f64 = 1.4;
+
 impl Geodesics<'_> {
     /// Shortest distances between all pairs of two rows of points, each row in order along a curve,
     /// so that paths of neighbours lie close together.
@@ -73,6 +89,7 @@ impl Geodesics<'_> {
             geodesics: self,
             from: &from,
             to: &to,
+            straight: grounds == Grounds::Compared && self.is_straight(&to),
         };
         let rows: Vec<Vec<Option<Cell>>> = if grounds == Grounds::Solved {
             vec![vec![None; to.len()]; from.len()]
@@ -100,6 +117,25 @@ impl Geodesics<'_> {
         })
     }
 
+    /// Whether points lie on the shortest path between the first and the last of them.
+    fn is_straight(&self, row: &[SurfacePoint]) -> bool {
+        let (Some(first), Some(last)) = (row.first(), row.last()) else {
+            return false;
+        };
+        let Ok(path) = self.shortest(first, last) else {
+            return false;
+        };
+        let line = path.polyline(self.mesh);
+        row.iter().all(|point| {
+            let at = point.position(self.mesh);
+            line.windows(2).any(|piece| {
+                let (along, out) = (piece[1] - piece[0], at - piece[0]);
+                let share = (out.dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
+                (out - along * share).norm() < ON * path.length
+            })
+        })
+    }
+
     /// Exact paths from one point.
     fn paths(&self, from: &SurfacePoint, to: &[SurfacePoint]) -> Result<Vec<Path>, GeodesicError> {
         let field = self.field(from, Reach::Targets(to))?;
@@ -112,6 +148,8 @@ impl Geodesics<'_> {
 struct Cell {
     arrival: Arrival,
     kind: Known,
+    /// For a shorter path.
+    room: Room,
 }
 
 /// A table in the making.
@@ -119,6 +157,8 @@ struct Draft<'a> {
     geodesics: &'a Geodesics<'a>,
     from: &'a [SurfacePoint],
     to: &'a [SurfacePoint],
+    /// Whether the second row lies on the shortest path between its ends.
+    straight: bool,
 }
 
 impl<'a> Draft<'a> {
@@ -166,12 +206,11 @@ impl<'a> Draft<'a> {
         begins
     }
 
-    /// A walk from a row's point, and the path to the first column.
-    fn walk(&self, i: usize, begin: Option<&Arrival>) -> Option<(Walk<'a>, Laid)> {
+    /// A walk from a row's point, and where its path to a column ends that is known.
+    fn walk_to(&self, i: usize, j: usize, known: &Arrival) -> Option<(Walk<'a>, Laid)> {
         let geodesics = self.geodesics;
         let mut walk = Walk::new(geodesics.mesh, &geodesics.charts, &self.from[i])?;
-        let begin = begin?;
-        let last = walk.shot(&begin.start, begin.length, self.to.first()?)?;
+        let last = walk.shot(&known.start, known.length, self.to.get(j)?)?;
         Some((walk, last))
     }
 
@@ -186,7 +225,10 @@ impl<'a> Draft<'a> {
         let masses = self.geodesics.masses();
         let mesh = self.geodesics.mesh;
         let middle = usize::midpoint(first, last);
-        let Some((mut walk, mut here)) = self.walk(middle, begins[middle].as_ref()) else {
+        let Some((mut walk, mut here)) = begins[middle]
+            .as_ref()
+            .and_then(|begin| self.walk_to(middle, 0, begin))
+        else {
             return bounds;
         };
         let far = |points: &[SurfacePoint], from: usize, to: usize, middle: usize| {
@@ -220,6 +262,7 @@ impl<'a> Draft<'a> {
                 trail,
                 within,
                 heights,
+                parts: walk.bounds.parts(),
             });
         }
         bounds
@@ -234,7 +277,8 @@ impl<'a> Draft<'a> {
     ) -> Vec<Option<Cell>> {
         let unique = self.geodesics.grounds() == Grounds::Unique;
         let mut cells = vec![None; self.to.len()];
-        let Some((mut walk, mut last)) = self.walk(i, begin) else {
+        let begin = begin.and_then(|begin| self.walk_to(i, 0, begin));
+        let Some((mut walk, mut last)) = begin else {
             return cells;
         };
         for (j, cell) in cells.iter_mut().enumerate() {
@@ -242,23 +286,26 @@ impl<'a> Draft<'a> {
             let Some(path) = walk.step(&last, target) else {
                 continue;
             };
+            let alone =
+                |walk: &mut Walk<'a>, among| self.geodesics.prove(walk, &path, target, among);
             let proven = match &bounds[j / BLOCK] {
-                _ if unique => Some(path),
-                Some(bound) => bound.prove(&mut walk, &path, target),
-                None => None,
+                _ if unique => Ok(path),
+                None => alone(&mut walk, None),
+                Some(bound) if !bound.holds(&walk, &path) => alone(&mut walk, None),
+                // Bounds of a block are wider than those of a path.
+                Some(bound) => walk
+                    .proven(&path, target, &bound.heights)
+                    .or_else(|_| alone(&mut walk, Some(&bound.parts))),
             };
-            // Bounds of a block are wider than those of a path.
-            let proven = proven.or_else(|| self.geodesics.prove(&mut walk, &path, target));
-            let kind = if proven.is_some() {
-                Known::Proven
-            } else {
-                Known::Open
+            let (path, kind, room) = match proven {
+                Ok(path) => (path, Known::Proven, Room([0.0; 2])),
+                Err(room) => (path, Known::Open, room),
             };
-            let path = proven.unwrap_or(path);
             last = path.last;
             *cell = Some(Cell {
                 arrival: path.arrival(),
                 kind,
+                room,
             });
         }
         cells
@@ -278,6 +325,7 @@ impl<'a> Draft<'a> {
                 end: path.end,
             },
             kind: Known::Exact,
+            room: Room([0.0; 2]),
         };
         if row.iter().any(Option::is_none) {
             let lost: Vec<SurfacePoint> = (0..row.len())
@@ -302,7 +350,8 @@ impl<'a> Draft<'a> {
             .iter()
             .map(|&j| (self.to[j], cells[j].arrival.length))
             .collect();
-        let shorter = self.geodesics.shorter(from, &known);
+        let range = self.range(i, &cells);
+        let shorter = self.geodesics.shorter(from, &known, range);
         for (j, shorter) in open.into_iter().zip(shorter) {
             match shorter {
                 Some(path) => cells[j] = exact(&path),
@@ -310,6 +359,76 @@ impl<'a> Draft<'a> {
             }
         }
         Ok((cells, true))
+    }
+
+    /// Whether all paths to a column arrive on one side of the second row that keep within the room
+    /// beside a known one.
+    fn arrives_in_front(&self, j: usize, cell: &Cell) -> bool {
+        if !self.straight {
+            return false;
+        }
+        let at = |j: usize| self.to[j].position(self.geodesics.mesh);
+        let along = at((j + 1).min(self.to.len() - 1)) - at(j.saturating_sub(1));
+        let cosine = along.normalize().dot(&cell.arrival.end.direction).abs();
+        let Room([left, right]) = cell.room;
+        libm::acos(cosine.min(1.0)) > IN_FRONT * left.max(right)
+    }
+
+    /// The directions in which paths of a row can leave that are shorter than the open ones: each
+    /// keeps within the room beside the open one, at both ends. Where the second row is a shortest
+    /// path too, and the shorter one arrives on the same side of it, it also keeps between the
+    /// proven paths next to it: shortest paths cross neither each other nor the row.
+    fn range(&self, i: usize, cells: &[Cell]) -> Option<Range> {
+        let open = |j: &usize| cells[*j].kind == Known::Open;
+        let first = (0..cells.len()).find(open)?;
+        let last = (0..cells.len()).rfind(open)?;
+        let middle = usize::midpoint(first, last);
+        let (walk, _) = self.walk_to(i, middle, &cells[middle].arrival)?;
+        let around = walk.faces_around();
+        let ahead = walk.unrolled.image;
+        let angle = |j: usize| {
+            let start = &cells[j].arrival.start;
+            let laid = around.iter().find(|laid| laid.entry.face() == start.face)?;
+            let along = Charts::from_space(walk.mesh, laid.entry, &start.direction);
+            let direction = laid.in_plane(walk.charts, along);
+            Some(libm::atan2(cross(ahead, direction), dot(ahead, direction)))
+        };
+        let angles: Vec<f64> = (0..cells.len()).map(angle).collect::<Option<_>>()?;
+        // Whether paths to later columns leave farther on the left.
+        let proven = |j: &usize| cells[*j].kind == Known::Proven;
+        let [begin, end] = [
+            (0..cells.len()).find(proven),
+            (0..cells.len()).rfind(proven),
+        ];
+        let turn = match (begin, end) {
+            (Some(begin), Some(end)) => angles[end] - angles[begin],
+            _ => 0.0,
+        };
+        let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
+        for j in (first..=last).filter(open) {
+            let Room([left, right]) = cells[j].room;
+            let (mut lowest, mut highest) = (angles[j] - right, angles[j] + left);
+            let before = (0..j).rfind(proven).map(|k| angles[k]);
+            let after = (j + 1..cells.len()).find(proven).map(|k| angles[k]);
+            let (on_right, on_left) = if turn > 0.0 {
+                (before, after)
+            } else {
+                (after, before)
+            };
+            if turn != 0.0 && self.arrives_in_front(j, &cells[j]) {
+                lowest = on_right.map_or(lowest, |a| a.max(lowest));
+                highest = on_left.map_or(highest, |a| a.min(highest));
+            }
+            (low, high) = (low.min(lowest), high.max(highest));
+        }
+        let ends = [low - PLAY, high + PLAY];
+        ends.iter().all(|a| a.abs() < WIDEST_RANGE).then(|| {
+            let [low, high] = ends.map(|angle| {
+                let (s, c) = libm::sincos(angle);
+                [ahead[0] * c - ahead[1] * s, ahead[0] * s + ahead[1] * c]
+            });
+            Range { around, low, high }
+        })
     }
 }
 
@@ -320,14 +439,14 @@ struct Bound {
     /// Metres.
     within: f64,
     heights: [Heights; 2],
+    /// The only fine cells with curvature that another geodesic can enclose.
+    parts: Vec<usize>,
 }
 
 impl Bound {
-    fn prove(&self, walk: &mut Walk<'_>, path: &Tight, to: &SurfacePoint) -> Option<Tight> {
+    /// Whether it holds for the path that was found last.
+    fn holds(&self, walk: &Walk<'_>, path: &Tight) -> bool {
         let longer = (path.length - self.trail.length).abs();
-        if longer > 2.0 * self.within || walk.strays(path, &self.trail) > self.within {
-            return None;
-        }
-        walk.proven(path, to, &self.heights)
+        longer <= 2.0 * self.within && walk.strays(path, &self.trail) <= self.within
     }
 }

@@ -1,7 +1,7 @@
 //! What holds on every surface: metric axioms, the first variation, paths that are their length.
 
-use crate::meshes::{Random, bipyramid, jittered};
-use egg::geodesic::{Geodesics, Path, Reach, derivative_along};
+use crate::meshes::{Random, all, bipyramid, jittered};
+use egg::geodesic::{Geodesics, Known, Path, Reach, derivative_along};
 use egg::surface::{HalfEdge, Mesh, SurfacePoint, Tangent};
 use proptest::prelude::*;
 
@@ -139,6 +139,47 @@ proptest! {
             let tangent = path.tangent_at(&mesh, s);
             prop_assert!((tangent.direction.norm() - 1.0).abs() < 1e-12);
             prop_assert!(mesh.face_normal(tangent.face).dot(&tangent.direction).abs() < 1e-6);
+        }
+    }
+
+    #[test]
+    fn tables_between_any_rows_are_exact(seed in any::<u64>()) {
+        let mut random = Random(seed);
+        let cells = [[12, 12], [24, 24], [40, 10], [60, 6]][random.below(4)];
+        let uneven = [0.0, 0.3, 0.6, 0.8][random.below(4)];
+        let (rise, wave, hill) = (
+            0.6 * random.unit(),
+            1.0 + 3.0 * random.unit(),
+            [0.0, 0.4][random.below(2)],
+        );
+        let mesh = jittered(cells, [2.0, 2.0], uneven, seed, all, |x, y| {
+            let hill = hill * (-6.0 * (x * x + y * y)).exp();
+            rise * (wave * x).sin() * ((wave + 0.7) * y).cos() + hill
+        });
+        let geodesics = Geodesics::new(&mesh);
+        let mut row = || -> Option<Vec<SurfacePoint>> {
+            let (from, to) = (random.point(&mesh), random.point(&mesh));
+            let path = geodesics.field(&from, Reach::Targets(&[to])).ok()?.path_to(&to).ok()?;
+            let at = |i: usize| path.point_at(&mesh, path.length * i as f64 / 11.0);
+            Some((0..12).map(at).collect())
+        };
+        let (Some(from), Some(to)) = (row(), row()) else {
+            return Ok(()); // two equal points
+        };
+        let Ok(table) = geodesics.table(&from, &to) else {
+            return Ok(()); // rows that meet
+        };
+        for (i, source) in from.iter().enumerate() {
+            let field = geodesics.field(source, Reach::Targets(&to)).unwrap();
+            for (j, target) in to.iter().enumerate() {
+                let (found, truth) = (table.pair(i, j).length, field.distance(target).unwrap());
+                prop_assert!(
+                    (found - truth).abs() <= 1e-11 * truth,
+                    "{i} to {j}, {:?}: {found} for {truth}",
+                    table.known(i, j)
+                );
+                prop_assert!(table.known(i, j) != Known::Open);
+            }
         }
     }
 }

@@ -2,7 +2,8 @@
 
 use crate::meshes::{Random, all, bipyramid, compact, cylinder, grid, jittered, sphere_cap};
 use egg::geodesic::{GeodesicError, Geodesics, Grounds, Known, Reach, Table};
-use egg::surface::{HalfEdge, Mesh, SurfacePoint};
+use egg::project::model::Axis;
+use egg::surface::{HalfEdge, Mesh, ReadOptions, Side, SubMesh, SurfacePoint, read_obj};
 
 /// Points evenly along the shortest path between two vertices close to places in plan.
 fn row(mesh: &Mesh, from: [f64; 2], to: [f64; 2], count: usize) -> Vec<SurfacePoint> {
@@ -99,6 +100,45 @@ fn tables_of_caps_valleys_and_slivers_are_exact() {
         [0.8, 0.8],
         20,
     );
+}
+
+#[test]
+fn tables_on_a_torus_need_no_solve_before_geodesics_focus() {
+    // The outside of a torus, where it is curved like a sphere, and its saddle inside.
+    let torus = |x: f64, y: f64| {
+        let r = (x * x + (y + 1.6) * (y + 1.6)).sqrt() - 1.6;
+        (0.9 * 0.9 - r * r).max(0.0).sqrt()
+    };
+    let mesh = jittered([40, 40], [1.6, 1.6], 0.3, 5, all, torus);
+    for table in patch("torus", &mesh, [0.6, 0.6], 24) {
+        assert_eq!(table.certificate.solves, 0);
+    }
+}
+
+#[test]
+fn tables_of_a_quarter_of_the_great_court_are_exact() {
+    let file = concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/projects/great-court/great-court.obj"
+    );
+    let options = ReadOptions {
+        metres_per_unit: 1.0,
+        up: Axis::Z,
+        side: Side::Upper,
+    };
+    let read = read_obj(&std::fs::read(file).unwrap(), &options).unwrap();
+    let surface = read.value.mesh;
+    // A disc: the ring is cut open.
+    let south = |face: &u32| surface.corners(*face).iter().all(|p| p.y < -1.0);
+    let faces: Vec<u32> = (0..surface.face_count()).filter(south).collect();
+    let part = SubMesh::new(&surface, &faces);
+    let mesh = part.mesh();
+    for side in [-1.0, 1.0] {
+        let low = row(mesh, [side * 6.0, -46.0], [side * 30.0, -46.0], 9);
+        let high = row(mesh, [side * 12.0, -26.0], [side * 30.0, -16.0], 9);
+        let table = compare("Great Court", mesh, &low, &high);
+        assert_eq!(table.certificate.grounds, Grounds::Compared);
+    }
 }
 
 #[test]
