@@ -20,33 +20,14 @@
 
 use super::laid::Side;
 use super::masses::{Mass, Masses};
-use crate::surface::{Point3, Vector3};
+use super::trail::{PLACES, Trail};
 use std::ops::RangeInclusive;
-
-/// Places along a path where the bound is kept, beside its begin.
-pub(super) const PLACES: usize = 24;
 
 /// Rounds of the comparison.
 const ROUNDS: usize = 40;
 
 /// A round that lowers the bound by less than this share is the last.
 const SETTLED: f64 = 0.96;
-
-/// Places along a geodesic, evenly, with its normals.
-#[derive(Debug, Clone)]
-pub(super) struct Trail {
-    pub(super) points: [Point3; PLACES + 1],
-    pub(super) normals: [Vector3; PLACES + 1],
-    /// Metres.
-    pub(super) length: f64,
-    /// The path is no farther from its chords, metres.
-    sag: f64,
-    /// How far the surface along the path stays nearly flat around each place, metres.
-    flat: [f64; PLACES + 1],
-}
-
-/// The least cosine between normals where the surface is nearly flat.
-const FLAT: f64 = 0.7;
 
 /// What lies aside of a path by this share of its distance, and not above or below, is on one side
 /// of it.
@@ -225,65 +206,6 @@ impl Bounds {
             }
         }
         true
-    }
-}
-
-impl Trail {
-    /// A trail over places, with the normals of the surface there.
-    pub(super) fn new(
-        points: &[Point3; PLACES + 1],
-        normals: &[Vector3; PLACES + 1],
-        length: f64,
-        sag: f64,
-    ) -> Self {
-        let step = length / PLACES as f64;
-        let flat = std::array::from_fn(|i: usize| {
-            let alike = |j: usize| normals[i].dot(&normals[j]) > FLAT;
-            let ahead = (i + 1..=PLACES).take_while(|&j| alike(j)).count();
-            let behind = (0..i).rev().take_while(|&j| alike(j)).count();
-            // Beyond an end nobody has looked.
-            let ahead = if i + ahead == PLACES {
-                usize::MAX
-            } else {
-                ahead
-            };
-            let behind = if behind == i { usize::MAX } else { behind };
-            match ahead.min(behind) {
-                usize::MAX => length,
-                places => places as f64 * step,
-            }
-        });
-        Self {
-            points: *points,
-            normals: *normals,
-            length,
-            sag,
-            flat,
-        }
-    }
-
-    /// How far a point is from the trail, metres, near a place.
-    pub(super) fn distance(&self, point: &Point3, near: usize) -> f64 {
-        let far = |i: &usize| (self.points[*i] - point).norm_squared();
-        let places = near.saturating_sub(2)..=(near + 2).min(PLACES);
-        let nearest = places.min_by(|a, b| far(a).total_cmp(&far(b)));
-        let i = nearest.unwrap_or(PLACES);
-        let chord = self.points[(i + 1).min(PLACES)] - self.points[i.saturating_sub(1)];
-        let out = point - self.points[i];
-        let along = out.dot(&chord).powi(2) / chord.norm_squared();
-        (out.norm_squared() - along).max(0.0).sqrt()
-    }
-
-    /// Which of some places is next to a point, and how far that is, metres.
-    fn nearest(&self, point: &Point3, places: RangeInclusive<usize>) -> (usize, f64) {
-        let (mut nearest, mut least) = (0, f64::INFINITY);
-        for i in places {
-            let far = (self.points[i] - point).norm_squared();
-            if far < least {
-                (nearest, least) = (i, far);
-            }
-        }
-        (nearest, least.sqrt())
     }
 }
 

@@ -3,24 +3,13 @@
 
 use super::Geodesics;
 use super::certificate::Grounds;
-use super::heights::{Heights, PLACES, Trail};
+use super::heights::Heights;
 use super::laid::{Laid, Side};
 use super::rays::{Ends, Found};
+use super::room::Room;
 use super::unrolled::Tight;
 use super::walk::{Turn, Walk};
-use crate::surface::{HalfEdge, Point3, SurfacePoint, Vector3};
-
-/// Crossings of a path that are compared with a trail.
-const COMPARED: usize = 8;
-
-/// How far on the left and right of a path a shorter one may leave, radians.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Room(pub(super) [f64; 2]);
-
-impl Room {
-    /// In any direction.
-    pub(super) const ANY: Self = Self([f64::INFINITY; 2]);
-}
+use crate::surface::{HalfEdge, SurfacePoint};
 
 impl Geodesics<'_> {
     /// The shortest path to a point, given one that a walk has just found, or the room that is left
@@ -129,61 +118,5 @@ impl Walk<'_> {
             }
         }
         faces
-    }
-
-    /// Places along the path that was found last.
-    pub(super) fn trail(&self, path: &Tight, to: &SurfacePoint) -> Trail {
-        let mesh = self.mesh;
-        let mut points = [self.from.position(mesh); PLACES + 1];
-        let mut normals = [Vector3::zeros(); PLACES + 1];
-        let step = path.length / PLACES as f64;
-        let mut crossings = Vec::with_capacity(self.unrolled.faces.len() + 2);
-        crossings.push((0.0, points[0]));
-        let mut face = self.unrolled.first.entry.face();
-        let mut next = 0;
-        // Places up to a crossing lie on the straight piece from the crossing before.
-        let mut go_on = |(along, at): (f64, Point3), into: u32| {
-            let (passed, before) = crossings[crossings.len() - 1];
-            while next <= PLACES && next as f64 * step <= along {
-                let share = (next as f64 * step - passed) / (along - passed);
-                let share = if share.is_finite() { share } else { 0.0 };
-                points[next] = before + (at - before) * share;
-                normals[next] = mesh.face_normal(face);
-                next += 1;
-            }
-            crossings.push((along, at));
-            face = into;
-        };
-        for (leg, crossed) in self.unrolled.legs() {
-            for i in crossed {
-                let crossing = self.unrolled.crossing(mesh, &leg, i);
-                go_on(crossing, self.unrolled.faces[i].entry.face());
-            }
-        }
-        // Rounding may leave the last place beyond the end.
-        let last = self.unrolled.last().entry.face();
-        go_on((path.length * (1.0 + 1e-9), to.position(mesh)), last);
-        let sag = crossings.iter().map(|&(along, at)| {
-            let i = ((along / step) as usize).min(PLACES - 1);
-            let (chord, out) = (points[i + 1] - points[i], at - points[i]);
-            let share = (out.dot(&chord) / chord.norm_squared()).clamp(0.0, 1.0);
-            (out - chord * share).norm()
-        });
-        let sag = sag.fold(0.0, f64::max);
-        Trail::new(&points, &normals, path.length, sag)
-    }
-
-    /// How far the path that was found last strays from a trail, metres.
-    pub(super) fn strays(&self, path: &Tight, trail: &Trail) -> f64 {
-        let mut farthest = 0.0_f64;
-        let every = (self.unrolled.faces.len() / COMPARED).max(1);
-        for (leg, crossed) in self.unrolled.legs() {
-            for i in crossed.filter(|i| i % every == 0) {
-                let (along, at) = self.unrolled.crossing(self.mesh, &leg, i);
-                let near = (along / path.length * PLACES as f64).round() as usize;
-                farthest = farthest.max(trail.distance(&at, near));
-            }
-        }
-        farthest
     }
 }
