@@ -45,7 +45,7 @@ fn main() {
         "cold path"
     );
     for &faces in sizes {
-        for surface in ["saddle", "cap", "bump", "sliver"] {
+        for surface in ["saddle", "cap", "torus", "bump", "sliver"] {
             row(surface, faces);
         }
     }
@@ -150,6 +150,10 @@ fn mesh(surface: &str, faces: u32) -> Mesh {
         let z = match surface {
             "saddle" => 0.5 * (x * x - y * y),
             "cap" => (4.0 - x * x - y * y).sqrt(),
+            "torus" => {
+                let aside = (x * x + (y + 1.6) * (y + 1.6)).sqrt() - 1.6;
+                (0.9 * 0.9 - aside * aside).max(0.0).sqrt()
+            }
             "bump" => 0.25 * libm::exp(-8.0 * (x * x + y * y)),
             _ => 0.3 * x * x + 0.1 * x * y,
         };

@@ -63,6 +63,8 @@ pub(super) struct Charts {
     pub(super) total_angles: Vec<f64>,
     /// Per vertex what its angles lack to the full turn, radians; none at the border.
     pub(super) curvatures: Vec<f64>,
+    /// Per vertex the least height of the faces about it, over any of their sides, metres.
+    pub(super) least_heights: Vec<f64>,
     /// Per vertex whether a shortest path can bend there.
     pub(super) bends: Vec<bool>,
     /// The first face without directions.
@@ -79,10 +81,17 @@ impl Charts {
         let mut charts = Vec::with_capacity(3 * count as usize);
         let mut angles = Vec::with_capacity(3 * count as usize);
         let mut total_angles = vec![0.0; mesh.positions().len()];
+        let mut least_heights = vec![f64::INFINITY; mesh.positions().len()];
         let mut degenerate = None;
         for face in 0..count {
             let corners = mesh.corners(face);
             let double_area = double_area(&corners);
+            let sides = [0, 1, 2].map(|i| (corners[(i + 1) % 3] - corners[i]).norm());
+            let height = double_area / sides.into_iter().fold(0.0, f64::max);
+            for &v in &mesh.faces()[face as usize] {
+                let least = &mut least_heights[v as usize];
+                *least = least.min(height);
+            }
             for corner in 0..3 {
                 let h = HalfEdge::new(face, corner);
                 let [a, b, c] = [0, 1, 2].map(|i| corners[(corner as usize + i) % 3]);
@@ -133,6 +142,7 @@ impl Charts {
             angles,
             total_angles,
             curvatures,
+            least_heights,
             bends,
             degenerate,
         }

@@ -136,7 +136,9 @@ impl<'a> Draft<'a> {
             if within > WIDEST * trail.length {
                 continue;
             }
-            let heights = walk.bounds.around(&trail, within, masses);
+            let Some(heights) = walk.bounds.around(&trail, within, masses) else {
+                continue;
+            };
             *bound = Some(Bound {
                 trail,
                 within,

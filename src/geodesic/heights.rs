@@ -26,6 +26,10 @@ use std::ops::RangeInclusive;
 /// Rounds of the comparison.
 const ROUNDS: usize = 40;
 
+/// The comparison is of first order: what curvature adds to distances beside the path is some per
+/// cent.
+const MARGIN: f64 = 1.1;
+
 /// A round that lowers the bound by less than this share is the last.
 const SETTLED: f64 = 0.96;
 
@@ -80,8 +84,13 @@ pub(super) struct Bounds {
 
 impl Bounds {
     /// Bounds on both sides (left, right) that hold for every geodesic which keeps within a
-    /// distance of the trail, metres.
-    pub(super) fn around(&mut self, trail: &Trail, within: f64, masses: &Masses) -> [Heights; 2] {
+    /// distance of the trail, metres; `None` where there is too much curvature beyond its length.
+    pub(super) fn around(
+        &mut self,
+        trail: &Trail,
+        within: f64,
+        masses: &Masses,
+    ) -> Option<[Heights; 2]> {
         let mut heights = Side::BOTH.map(|_| Heights::any(trail.length));
         // The paths that keep within the distance are as uneven as the trail.
         let within = within + 2.0 * trail.sag;
@@ -95,7 +104,7 @@ impl Bounds {
             }
         }
         if beyond > FARTHEST {
-            return heights;
+            return None;
         }
         for (heights, near) in heights.iter_mut().zip(&mut self.near) {
             heights.settle(near, longest);
@@ -118,7 +127,7 @@ impl Bounds {
             }
         }
         self.finish(&mut heights, longest);
-        heights
+        Some(heights)
     }
 
     /// The fine cells below the bounds that were found last: there is no curvature but theirs for any
@@ -243,7 +252,7 @@ impl Heights {
             let mut slope: f64 = (1..PLACES)
                 .map(|i| turns[i] * (1.0 - i as f64 / PLACES as f64))
                 .sum();
-            let factor = widening(turn);
+            let factor = MARGIN * widening(turn);
             let mut y = 0.0_f64;
             for i in 0..=PLACES {
                 let around = turns[i.saturating_sub(1)..=(i + 1).min(PLACES)].iter();

@@ -17,8 +17,15 @@ const MOST: usize = 96;
 /// Unfolded over several faces, heights are known to this share of the bound.
 const SLACK: f64 = 1.05;
 
+/// And so much worse, as a share, for each radian below the bound.
 const LEAN: f64 = 2.0;
+
+/// Under so much curvature, radians, nothing is unfolded truly.
 const WIDEST: f64 = 0.5;
+
+/// Faces that are higher than the bound by this factor have their third corner on the other side
+/// of the path.
+const HIGH: f64 = 2.2;
 
 /// Finds vertices near paths; keeps what it allocates.
 #[derive(Default)]
@@ -111,7 +118,7 @@ impl Near {
                 before = laid;
             }
         }
-        self.spread(mesh, charts, side, &below)?;
+        self.spread(mesh, charts, side, slack * heights.highest(), &below)?;
         Some(self.settle(length, slack))
     }
 
@@ -121,11 +128,17 @@ impl Near {
         mesh: &Mesh,
         charts: &Charts,
         side: Side,
+        highest: f64,
         below: &impl Fn(f64, f64) -> bool,
     ) -> Option<()> {
         let mut next = 0;
         while let Some(&corner) = self.found.get(next) {
             next += 1;
+            // Two ends of a side below the bound, with a face on the path's side that is so high: the
+            // path passes through it, so both were seen.
+            if charts.least_heights[corner.vertex as usize] > HIGH * highest {
+                continue;
+            }
             // All the way around, or to the border on both sides.
             let begin = corner.laid.entry.face();
             let mut turn = Turn::Right;

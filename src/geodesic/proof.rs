@@ -28,7 +28,10 @@ impl Geodesics<'_> {
                 let trail = walk.trail(path, to);
                 let heights = match among {
                     Some(parts) => walk.bounds.among(&trail, self.masses(), parts),
-                    None => walk.bounds.around(&trail, 0.0, self.masses()),
+                    None => {
+                        let bounds = walk.bounds.around(&trail, 0.0, self.masses());
+                        bounds.ok_or(Room::ANY)?
+                    }
                 };
                 walk.proven(path, to, &heights)
             }
