@@ -59,28 +59,32 @@ impl Draft<'_> {
             Some(libm::atan2(cross(ahead, direction), dot(ahead, direction)))
         };
         let angles: Vec<f64> = (0..cells.len()).map(angle).collect::<Option<_>>()?;
-        // Whether paths to later columns leave farther on the left.
+        // Whether paths to later columns leave farther on the left, where all do or none does.
         let proven = |j: &usize| cells[*j].kind == Known::Proven;
-        let [begin, end] = [
-            (0..cells.len()).find(proven),
-            (0..cells.len()).rfind(proven),
-        ];
-        let turn = match (begin, end) {
-            (Some(begin), Some(end)) => angles[end] - angles[begin],
-            _ => 0.0,
-        };
+        let mut between = (0..cells.len()).filter(proven).map(|j| angles[j]);
+        let mut turns = Vec::with_capacity(cells.len());
+        let mut before = between.next();
+        for angle in between {
+            turns.extend(before.map(|before| angle > before));
+            before = Some(angle);
+        }
+        let leftward = turns.first().copied();
+        let leftward = leftward.filter(|first| turns.iter().all(|turn| turn == first));
         let (mut low, mut high) = (f64::INFINITY, f64::NEG_INFINITY);
         for j in (first..=last).filter(open) {
             let Room([left, right]) = cells[j].room;
             let (mut lowest, mut highest) = (angles[j] - right, angles[j] + left);
             let before = (0..j).rfind(proven).map(|k| angles[k]);
             let after = (j + 1..cells.len()).find(proven).map(|k| angles[k]);
-            let (on_right, on_left) = if turn > 0.0 {
-                (before, after)
-            } else {
-                (after, before)
-            };
-            if turn != 0.0 && self.arrives_in_front(j, &cells[j]) {
+            if let Some(leftward) = leftward
+                && self.arrives_in_front(j, &cells[j])
+            {
+                let (on_right, on_left) = if leftward {
+                    (before, after)
+                } else {
+                    (after, before)
+                };
+                // A path that is open may lie on the wrong side of a proven one.
                 lowest = on_right.map_or(lowest, |a| a.max(lowest));
                 highest = on_left.map_or(highest, |a| a.min(highest));
             }
