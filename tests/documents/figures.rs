@@ -13,6 +13,7 @@ pub(crate) fn table(plan: &Plan) -> String {
     }
     parts(plan, &mut rows);
     evenness(plan, &mut rows);
+    rings(plan, &mut rows);
     let mut text = String::from("| | |\n|---|---|\n");
     for (name, value) in rows {
         let _ = writeln!(text, "| {name} | {value} |");
@@ -206,6 +207,22 @@ fn evenness(plan: &Plan, rows: &mut Vec<Row>) {
         "evenness gained against even spacing on the first side".into(),
         shown,
     ));
+}
+
+/// How exactly members of rings come back to where they began.
+fn rings(plan: &Plan, rows: &mut Vec<Row>) {
+    for strip in &plan.strips {
+        let Some(ring) = &strip.ring else { continue };
+        let shown = if ring.drift < 1e-8 {
+            "end where they began, to less than 10 nm".to_owned()
+        } else {
+            format!(
+                "end up to {:.2} mm beside where they began",
+                1e3 * ring.drift
+            )
+        };
+        rows.push((format!("members of the ring {}", strip.id), shown));
+    }
 }
 
 fn parts(plan: &Plan, rows: &mut Vec<Row>) {

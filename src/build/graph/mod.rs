@@ -136,6 +136,9 @@ pub fn declare<'p>(graph: &mut Graph<'p>, design: Design<'p>, extent: Extent) {
     }
     let split = splitting::split(graph, project, surface, curvature);
     graph.unfold(split, move |graph, draft| {
+        for part in draft.patches.iter().filter(|part| part.name != part.origin) {
+            graph.part(&part.name, &part.origin);
+        }
         let laid = laid_out(project, draft);
         let design = Design {
             project: &laid,

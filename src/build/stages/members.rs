@@ -102,7 +102,7 @@ type StripNeeds = (Vec<Node<Domain>>, Vec<Node<Clad>>, Node<Schedule>);
 /// Exact members of all families of a strip.
 pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Woven> = Stage {
     name: "strip",
-    version: 3,
+    version: 4,
     numerics: Numerics::Portable,
     run: |input, (domains, clads, schedule), _| {
         let grounds: Vec<Ground<'_>> = input
@@ -133,19 +133,20 @@ fn open_ring(drift: &Drift, closed: bool) -> Diagnostic {
         1e3 * drift.metres,
         1e2 * drift.share
     );
-    let told = if closed {
-        Diagnostic::error(codes::CANNOT_CLOSE, by)
+    let (told, help) = if closed {
+        (
+            Diagnostic::error(codes::CANNOT_CLOSE, by),
+            "ask for fewer members, or take the ring out of `distribution.closed`",
+        )
     } else {
-        Diagnostic::warning(codes::OPEN_RING, by)
+        (
+            Diagnostic::warning(codes::OPEN_RING, by),
+            "name this family in `distribution.closed`: planar angles are then chosen such that \
+             its members end where they began; or let the ring begin where it does not show",
+        )
     };
-    told.at_key(
-        format!(".passages[{}]", drift.passage),
-        "around from this patch",
-    )
-    .help(
-        "let neighbouring patches be mirror images of each other, with `alpha` given, or open \
-             the ring where it does not show",
-    )
+    let key = format!(".passages[{}]", drift.passage);
+    told.at_key(key, "around from this patch").help(help)
 }
 
 /// `passage` tells the field of the input that stands for a passage.

@@ -60,6 +60,8 @@ const CLOSED: f64 = 1e-11;
 /// A move that is none.
 const SETTLED: f64 = 1e-8;
 const MOST_STEPS: usize = 60;
+/// In so many steps a drift that vanishes in the end is halved at least.
+const PATIENCE: usize = 10;
 /// Ways to collapse that are followed to the end and compared.
 const TRIES: usize = 12;
 /// If none of these closes, the next ones are tried, up to this many.
@@ -194,7 +196,15 @@ impl<'a> Problem<'a> {
         }
         let clads = self.plans(&angles)?;
         let mut laid = self.begin(choice, angles, clads);
-        for _ in 0..MOST_STEPS {
+        let mut before = f64::INFINITY;
+        for k in 1..=MOST_STEPS {
+            // What hardly comes closer any more does not close this way.
+            if k % PATIENCE == 0 {
+                if laid.worst() > CLOSED && laid.worst() > 0.5 * before {
+                    break;
+                }
+                before = laid.worst();
+            }
             let model = self.model(&laid)?;
             let step = model.step()?;
             let least = merit(&laid);
