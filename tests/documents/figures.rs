@@ -265,8 +265,8 @@ fn parts(plan: &Plan, rows: &mut Vec<Row>) {
     rows.push((
         "grid with its hardware".into(),
         format!(
-            "{:.0} g, {:.2} kg/m² of the rectangle around it",
-            1e3 * summary.grid_mass(),
+            "{}, {:.2} kg/m² of the rectangle around it",
+            weight(summary.grid_mass()),
             summary.per_rectangle()
         ),
     ));
@@ -281,15 +281,17 @@ fn parts(plan: &Plan, rows: &mut Vec<Row>) {
         ));
     }
     let tilts = plan.supports.iter().map(|support| support.tilt);
-    rows.push((
-        "supports".into(),
+    let supports = if plan.supports.is_empty() {
+        "none: the structure stands on its own foundations".to_owned()
+    } else {
         format!(
             "{}, {:.1} kg in all, contact faces of up to {:.1}°",
             plan.supports.len(),
             summary.support_mass,
             tilts.fold(0.0, f64::max)
-        ),
-    ));
+        )
+    };
+    rows.push(("supports".into(), supports));
     let sheets: Vec<String> = plan.sheets.iter().map(sheet).collect();
     let told: Vec<String> = match sheets.len() {
         0..=4 => sheets,

@@ -300,3 +300,41 @@ fn a_build_after_an_edit_writes_what_a_clean_build_writes() {
         assert_eq!(differing(&warm, &clean), [""; 0], "{to}");
     }
 }
+
+#[test]
+fn asking_a_ring_to_close_measures_no_patch_again() {
+    let shop = Workshop::new();
+    let name = "tests/corpus/designs/wrong/ring-open.toml";
+    let [from, to] = [
+        "[split]",
+        "[distribution]\nclosed = [\"south.v\"]\n\n[split]",
+    ];
+    let open = edited(&shop, name, from, from);
+    let cache = ["--cache-dir", "warm"];
+    let open = open.to_string_lossy();
+    let check = [&["check", &open][..], &cache].concat();
+    shop.egg(&check).expect(0);
+    let closed = edited(&shop, name, from, to);
+    let closed = closed.to_string_lossy();
+    let planned = shop.egg(&[&["build", "--dry-run", &closed][..], &cache].concat());
+    let planned = planned.expect(0).out;
+    let runs = |stage: &str| {
+        let mut lines = planned.lines();
+        lines.any(|line| line.trim_start().starts_with(&format!("run {stage} ")))
+    };
+    assert!(runs("closing"), "{planned}");
+    for stage in ["line", "patch", "distances", "angles", "cladding"] {
+        assert!(!runs(stage), "{stage}: {planned}");
+    }
+    shop.egg(&[&["check", &closed][..], &cache].concat())
+        .expect(0);
+    // A weight on a side of the ring moves its members, and with them the angles; nothing that was
+    // measured depends on it.
+    let text = fs::read_to_string(&*closed).expect("a project file");
+    let weighed = text.replace("closed = [", "weights = { \"sw-sw-in\" = 3 }\nclosed = [");
+    shop.write("edited.toml", weighed);
+    let planned = shop.egg(&[&["build", "--dry-run", &closed][..], &cache].concat());
+    let planned = planned.expect(0).out;
+    assert!(planned.contains("run closing "), "{planned}");
+    assert!(!planned.contains("run feasibility "), "{planned}");
+}
