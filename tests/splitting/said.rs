@@ -190,7 +190,7 @@ fn a_patch_that_was_split_is_asked_for_by_its_own_name_and_leaves_its_lamella_to
     made.sort();
     assert_eq!(made, ["p-1", "p-2"]);
     let wrong = ["build", "automatic.toml", "--only", "q"];
-    let wrong = shop.egg(&wrong).expect(1).err;
+    let wrong = shop.egg(&wrong).expect(2).err;
     assert!(wrong.contains("there is no target `q`"), "{wrong}");
     shop.egg(&["build", "automatic.toml", "--out", "out"])
         .expect(0);
