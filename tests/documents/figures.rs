@@ -282,7 +282,7 @@ fn parts(plan: &Plan, rows: &mut Vec<Row>) {
     }
     let tilts = plan.supports.iter().map(|support| support.tilt);
     let supports = if plan.supports.is_empty() {
-        "none: the structure stands on its own foundations".to_owned()
+        "none: a structure of this size stands on foundations".to_owned()
     } else {
         format!(
             "{}, {:.1} kg in all, contact faces of up to {:.1}°",
