@@ -131,8 +131,8 @@ fn listed(ways: &[Vec<Way>], cost: &impl Fn(&[usize]) -> f64) -> Vec<(f64, Vec<u
     let mut seen = vec![(cost(&picked), picked.clone())];
     loop {
         let mut best = (seen[seen.len() - 1].0, None);
-        for patch in 0..ways.len() {
-            for way in 0..ways[patch].len() {
+        for (patch, ways) in ways.iter().enumerate() {
+            for way in 0..ways.len() {
                 let mut other = picked.clone();
                 other[patch] = way;
                 let costs = cost(&other);

@@ -299,9 +299,9 @@ impl<'a> Problem<'a> {
             let Look {
                 by_share, evenness, ..
             } = look;
-            for j in 0..by_share.len() {
+            for (j, &slope) in by_share.iter().enumerate() {
                 let column = angles + row;
-                model.jacobian[(row, column)] = by_share[j];
+                model.jacobian[(row, column)] = slope;
                 model.gradient[column] = scale * evenness.gradient[j];
                 model.hessian[(column, column)] = scale * evenness.diagonal[j];
                 if j + 1 < by_share.len() {
