@@ -205,7 +205,7 @@ impl<'a> Problem<'a> {
                 }
                 before = laid.worst();
             }
-            let model = self.model(&laid)?;
+            let model = self.model(&laid);
             let step = model.step()?;
             let least = merit(&laid);
             let mut factor = 1.0;
@@ -231,7 +231,7 @@ impl<'a> Problem<'a> {
 
     /// One of Newton's steps from exact drifts: the smallest move that takes them away.
     pub(super) fn corrected(&self, laid: &Laid, exact: &[f64]) -> Option<Laid> {
-        let mut model = self.model(laid)?;
+        let mut model = self.model(laid);
         model.gradient.fill(0.0);
         model.residual = DVector::from_column_slice(exact);
         let step = model.step()?;
@@ -268,7 +268,7 @@ impl<'a> Problem<'a> {
     }
 
     /// The quadratic model where things are laid: angles first, then members ring by ring.
-    fn model(&self, laid: &Laid) -> Option<Model> {
+    fn model(&self, laid: &Laid) -> Model {
         let angles = self.free.len();
         let members = laid.drifts.len();
         let count = angles + members;
@@ -314,7 +314,7 @@ impl<'a> Problem<'a> {
                 row += 1;
             }
         }
-        Some(model)
+        model
     }
 
     /// Derivatives by the angle of a free patch: of all drifts, and of the unevenness.
