@@ -7,11 +7,13 @@
 use super::key::canon::{self, CanonError};
 use super::needs::{Needs, Node, Ports, Supplied, Supply, Value};
 use super::publish::Files;
+use super::request::Request;
 use super::stage::{Context, Failure, Stage};
 use crate::diagnostics::{Diagnostic, Place};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::any::Any;
+use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
 
@@ -39,6 +41,8 @@ impl fmt::Display for Instance {
 pub struct Graph<'p> {
     pub(super) nodes: Vec<Declared>,
     pub(super) unfolds: Vec<(usize, Unfold<'p>)>,
+    /// Targets that are parts of others.
+    wholes: BTreeMap<String, String>,
 }
 
 pub(super) type Unfold<'p> = Box<dyn FnOnce(&mut Graph<'p>, &(dyn Any + Send + Sync)) + 'p>;
@@ -163,6 +167,34 @@ impl<'p> Graph<'p> {
     /// Publishes the node's files in the output directory.
     pub fn publish(&mut self, node: Node<Files>) {
         self.nodes[node.index].publishes = true;
+    }
+
+    /// Says that a target is a part of another one: whoever asks for the whole gets it.
+    pub fn part(&mut self, part: impl Into<String>, whole: impl Into<String>) {
+        self.wholes.insert(part.into(), whole.into());
+    }
+
+    /// Targets that fell into parts.
+    pub(super) fn wholes(&self) -> impl Iterator<Item = &str> {
+        self.wholes.values().map(String::as_str)
+    }
+
+    /// Whether a request names an instance, itself or as a part.
+    pub(super) fn selects(&self, request: &Request, instance: &Instance) -> bool {
+        let whole = || {
+            let (part, below) = instance
+                .target
+                .split_once('.')
+                .map_or((instance.target.as_str(), None), |(part, below)| {
+                    (part, Some(below))
+                });
+            let whole = self.wholes.get(part)?;
+            Some(Instance {
+                stage: instance.stage.clone(),
+                target: below.map_or_else(|| whole.clone(), |below| format!("{whole}.{below}")),
+            })
+        };
+        request.selects(instance) || whole().is_some_and(|whole| request.selects(&whole))
     }
 
     /// Continues the declaration as soon as the node's value is known. The closure may use all

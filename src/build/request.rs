@@ -6,7 +6,7 @@ use super::declare::Instance;
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Request {
     /// Build these targets only, with what they need; all if empty. A name also stands for
-    /// everything below it: `west` for `west.u`.
+    /// everything below it: `west` for `west.u`, and for its parts: `west` for `west-1`.
     pub targets: Vec<String>,
     /// Build these stages only, with what they need; all if empty.
     pub stages: Vec<String>,
@@ -66,9 +66,5 @@ impl Request {
     /// Whether the request is for everything.
     pub fn is_whole(&self) -> bool {
         self.stages.is_empty() && self.targets.is_empty()
-    }
-
-    pub(super) fn forces(&self, instance: &Instance) -> bool {
-        self.force == Force::Selected && self.selects(instance)
     }
 }

@@ -154,15 +154,7 @@ pub fn clad(maps: &Maps<'_>, demands: &Demands, alpha: f64) -> Result<Clad, Obst
     if quad.convexity_margin() < CONVEXITY {
         return Err(Obstacle::Flat(quad.convexity_margin()));
     }
-    let follow = |family| {
-        trace(maps.table(family), &quad, family).map_err(|f| Obstacle::NoCladding(family, f))
-    };
-    let clad = Clad {
-        alpha,
-        quad,
-        u: follow(Family::U)?,
-        v: follow(Family::V)?,
-    };
+    let clad = trace_both(maps, quad, alpha)?;
     let lines = [(Family::U, 0), (Family::V, 1)]
         .map(|(family, i)| flat_members(&clad, family, demands.members[i]));
     let needed = demands.width * (1.0 + PLAY);
@@ -184,6 +176,25 @@ pub fn clad(maps: &Maps<'_>, demands: &Demands, alpha: f64) -> Result<Clad, Obst
         }
     }
     Ok(clad)
+}
+
+/// The plan with a given angle, radians, whatever its shape and its slopes; `None` where there is
+/// none, or where members of a family do not exist all the way.
+pub fn lay(maps: &Maps<'_>, alpha: f64) -> Option<Clad> {
+    let quad = PlanarQuad::new(maps.sides, alpha)?;
+    trace_both(maps, quad, alpha).ok()
+}
+
+fn trace_both(maps: &Maps<'_>, quad: PlanarQuad, alpha: f64) -> Result<Clad, Obstacle> {
+    let follow = |family| {
+        trace(maps.table(family), &quad, family).map_err(|f| Obstacle::NoCladding(family, f))
+    };
+    Ok(Clad {
+        alpha,
+        quad,
+        u: follow(Family::U)?,
+        v: follow(Family::V)?,
+    })
 }
 
 /// Neighbouring members are at most as far apart as their ends, so a side has to be as long as

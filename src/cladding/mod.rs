@@ -6,7 +6,7 @@
 //! | exact distances between opposite sides, interpolated | [`distance_table`], [`DistanceTable`] |
 //! | the flat quadrilateral with one free angle | [`PlanarQuad`] |
 //! | the arc of equal distances | [`trace`], [`CladdingFunction`] |
-//! | the angle: feasible intervals and the most compact plan | [`choose_angle`], [`clad`] |
+//! | the angle: feasible intervals and the most compact plan | [`choose_angle`], [`clad`], [`lay`] |
 //! | how far from it a patch is where there is none | [`survey`] |
 //! | why there is none, in words | [`explain`] |
 
@@ -20,7 +20,7 @@ mod table;
 mod trace;
 
 pub use angle::{
-    AngleChoice, Clad, Crowded, Demands, Infeasible, Maps, Obstacle, choose_angle, clad,
+    AngleChoice, Clad, Crowded, Demands, Infeasible, Maps, Obstacle, choose_angle, clad, lay,
 };
 pub use explain::explain;
 pub use function::CladdingFunction;

@@ -367,6 +367,8 @@ pub(super) enum SchemaOf {
     Project,
     /// The plan
     Plan,
+    /// What `egg check --format json` writes
+    Check,
     /// What `egg diff --format json` writes
     Difference,
 }

@@ -62,16 +62,20 @@ impl Domain {
         }
     }
 
+    /// The way around it.
+    fn outline(&self) -> Outline<'_> {
+        Outline {
+            mesh: self.mesh(),
+            ab: &self.ab,
+            bc: &self.bc,
+            dc: &self.dc,
+            ad: &self.ad,
+        }
+    }
+
     /// The corners A, B, C, D.
     pub fn corners(&self) -> [SurfacePoint; 4] {
-        let first = |side: &Side| side.path().points[0];
-        let last = |side: &Side| side.path().points[side.path().points.len() - 1];
-        [
-            first(&self.ab),
-            first(&self.bc),
-            last(&self.dc),
-            last(&self.ad),
-        ]
+        self.outline().corners()
     }
 
     /// Angle on the surface between the sides at A, radians; `None` where the sides do not meet.
@@ -88,13 +92,44 @@ impl Domain {
     /// Whether the corners run counter-clockwise seen from outside, so that the patch lies on the
     /// left of its sides: by the sense in which most corners turn.
     pub fn turns_left(&self) -> bool {
-        let left = self.corners_turn_left().into_iter().filter(|&left| left);
-        left.count() > 2
+        self.outline().turns_left()
     }
 
     /// Whether the way around turns left at A, B, C and D, seen from outside.
     pub fn corners_turn_left(&self) -> [bool; 4] {
-        let [ab, bc, dc, ad] = [&self.ab, &self.bc, &self.dc, &self.ad].map(Side::path);
+        self.outline().corners_turn_left()
+    }
+
+    /// The loop A, B, C, D as points, each corner once.
+    pub fn ring(&self) -> Vec<SurfacePoint> {
+        self.outline().ring()
+    }
+}
+
+/// The four sides of a patch on a mesh.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Outline<'a> {
+    pub(super) mesh: &'a Mesh,
+    pub(super) ab: &'a Side,
+    pub(super) bc: &'a Side,
+    pub(super) dc: &'a Side,
+    pub(super) ad: &'a Side,
+}
+
+impl Outline<'_> {
+    pub(super) fn corners(&self) -> [SurfacePoint; 4] {
+        let first = |side: &Side| side.path().points[0];
+        let last = |side: &Side| side.path().points[side.path().points.len() - 1];
+        [first(self.ab), first(self.bc), last(self.dc), last(self.ad)]
+    }
+
+    pub(super) fn turns_left(&self) -> bool {
+        let left = self.corners_turn_left().into_iter().filter(|&left| left);
+        left.count() > 2
+    }
+
+    fn corners_turn_left(&self) -> [bool; 4] {
+        let [ab, bc, dc, ad] = [self.ab, self.bc, self.dc, self.ad].map(Side::path);
         // From the way on to the way back, at A, B, C and D.
         let turns = [
             ab.start.direction.cross(&ad.start.direction),
@@ -103,17 +138,16 @@ impl Domain {
             dc.start.direction.cross(&ad.end.direction),
         ];
         let corners = self.corners();
-        std::array::from_fn(|i| turns[i].dot(&corners[i].normal(self.mesh())) > 0.0)
+        std::array::from_fn(|i| turns[i].dot(&corners[i].normal(self.mesh)) > 0.0)
     }
 
-    /// The loop A, B, C, D as points, each corner once.
-    pub fn ring(&self) -> Vec<SurfacePoint> {
+    pub(super) fn ring(&self) -> Vec<SurfacePoint> {
         let mut ring = Vec::new();
         for (side, forward) in [
-            (&self.ab, true),
-            (&self.bc, true),
-            (&self.dc, false),
-            (&self.ad, false),
+            (self.ab, true),
+            (self.bc, true),
+            (self.dc, false),
+            (self.ad, false),
         ] {
             let points = &side.path().points;
             let inner = points.len() - 1;

@@ -44,16 +44,22 @@ pub fn vertices_inside(mesh: &Mesh, ring: &[SurfacePoint], turns_left: bool) -> 
         let edge = canonical(mesh, h);
         cut.binary_search_by_key(&edge, |&(e, _, _)| e).is_ok()
     };
-    // Flood both sides at once, so that a vertex is claimed by the side that reaches it first.
+    // Flood both sides at once, so that a vertex is claimed by the side that reaches it first. What
+    // is left when nothing inside waits any more is outside, however much of the surface that is.
     let mut queue = std::collections::VecDeque::new();
+    let mut waiting = 0_usize;
     for (vertex, side) in seeds {
         if sides[vertex as usize] == Side::Unknown {
             sides[vertex as usize] = side;
+            waiting += usize::from(side == inside);
             queue.push_back(vertex);
         }
     }
-    while let Some(vertex) = queue.pop_front() {
+    while waiting > 0
+        && let Some(vertex) = queue.pop_front()
+    {
         let side = sides[vertex as usize];
+        waiting -= usize::from(side == inside);
         for h in spokes(mesh, vertex) {
             let next = if mesh.origin(h) == vertex {
                 mesh.target(h)
@@ -62,6 +68,7 @@ pub fn vertices_inside(mesh: &Mesh, ring: &[SurfacePoint], turns_left: bool) -> 
             };
             if sides[next as usize] == Side::Unknown && !is_cut(h) {
                 sides[next as usize] = side;
+                waiting += usize::from(side == inside);
                 queue.push_back(next);
             }
         }

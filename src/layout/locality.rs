@@ -1,6 +1,7 @@
 //! Work that stays local to a patch: the part of the surface around it, and the proof that no
 //! shortest geodesic leaves it.
 
+use super::domain::Outline;
 use super::{Domain, Side, vertices_inside};
 use crate::geodesic::{GeodesicError, Geodesics, Reach};
 use crate::project::model::Family;
@@ -27,47 +28,57 @@ pub struct Quad {
     pub ad: Side,
 }
 
+impl Quad {
+    fn outline<'a>(&'a self, surface: &'a Mesh) -> Outline<'a> {
+        Outline {
+            mesh: surface,
+            ab: &self.ab,
+            bc: &self.bc,
+            dc: &self.dc,
+            ad: &self.ad,
+        }
+    }
+
+    fn on_part(&self, surface: &Mesh, part: SubMesh) -> Option<Domain> {
+        let [ab, bc, dc, ad] =
+            [&self.ab, &self.bc, &self.dc, &self.ad].map(|side| side.on_part(surface, &part));
+        Some(Domain {
+            ab: ab?,
+            bc: bc?,
+            dc: dc?,
+            ad: ad?,
+            part,
+        })
+    }
+}
+
 impl Domain {
     /// The domain of a patch: the smallest part of the surface, of a few that are tried, in which
     /// its geodesics are provably shortest.
     pub fn around(surface: &Mesh, quad: Quad) -> Result<Self, GeodesicError> {
-        let all: Vec<u32> = (0..surface.face_count()).collect();
-        let Quad { ab, bc, dc, ad } = quad;
-        let whole = Self {
-            part: SubMesh::new(surface, &all),
-            ab,
-            bc,
-            dc,
-            ad,
-        };
-        let mut seeds = whole.ring();
-        let inside = vertices_inside(surface, &seeds, whole.turns_left());
+        // Nothing here but the last resort takes the whole surface into its hands: a patch costs what
+        // it measures, however many others there are.
+        let mut seeds = quad.outline(surface).ring();
+        let inside = vertices_inside(surface, &seeds, quad.outline(surface).turns_left());
         seeds.extend(inside.into_iter().map(SurfacePoint::Vertex));
+        let sides = [&quad.ab, &quad.bc, &quad.dc, &quad.ad];
+        let longest = sides.iter().map(|side| side.length()).fold(0.0, f64::max);
         for margin in MARGINS {
-            let faces = grow(surface, &seeds, margin * whole.lengths().longest());
-            if faces.len() as f64 > WHOLE * all.len() as f64 {
+            let faces = grow(surface, &seeds, margin * longest);
+            if faces.len() as f64 > WHOLE * f64::from(surface.face_count()) {
                 break;
             }
-            if let Some(domain) = whole.on_part(surface, &faces)
+            let part = SubMesh::new(surface, &faces);
+            if let Some(domain) = quad.on_part(surface, part)
                 && domain.is_wide_enough()?
             {
                 return Ok(domain);
             }
         }
-        Ok(whole)
-    }
-
-    fn on_part(&self, surface: &Mesh, faces: &[u32]) -> Option<Self> {
-        let part = SubMesh::new(surface, faces);
-        let side = |side: &Side| side.on_part(surface, &part);
-        let (ab, bc, dc, ad) = (
-            side(&self.ab)?,
-            side(&self.bc)?,
-            side(&self.dc)?,
-            side(&self.ad)?,
-        );
-        Some(Self {
-            part,
+        let all: Vec<u32> = (0..surface.face_count()).collect();
+        let Quad { ab, bc, dc, ad } = quad;
+        Ok(Self {
+            part: SubMesh::new(surface, &all),
             ab,
             bc,
             dc,

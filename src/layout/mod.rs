@@ -4,6 +4,7 @@
 //! |---|---|
 //! | find the anchors on the surface | [`place_anchors`] |
 //! | know from names alone which lines are needed and which piece of which line a side is | [`Network`] |
+//! | find the shortest geodesic between two anchors, on as much of the surface as it takes | [`shortest_line`] |
 //! | walk along a side by share of its length | [`Side`] |
 //! | take the part of the surface around a patch, with proof that no geodesic leaves it | [`Quad`], [`Proof`] |
 //! | have four sides on that part | [`Domain`], [`SideLengths`] |
@@ -20,6 +21,7 @@ mod check;
 mod domain;
 mod interior;
 mod lengths;
+mod line;
 mod locality;
 mod neighbours;
 mod network;
@@ -31,6 +33,7 @@ pub use check::check_quad;
 pub use domain::Domain;
 pub use interior::vertices_inside;
 pub use lengths::SideLengths;
+pub use line::shortest_line;
 pub use locality::{Proof, Quad};
 pub use neighbours::{PlacedPatch, Structure, check_network};
 pub use network::{Line, Network, SidePiece, Station, edge_id};

@@ -108,17 +108,17 @@ pub fn distribute(sides: &[Crossed<'_>], range: (f64, f64), count: u32) -> Vec<f
     shares
 }
 
-/// Objective, gradient and Gauss-Newton matrix at given shares.
-struct Linearised {
-    objective: f64,
+/// Objective, and half of its gradient and of its Gauss-Newton matrix, at given shares.
+pub(super) struct Linearised {
+    pub(super) objective: f64,
     /// By the inner members.
-    gradient: Vec<f64>,
-    diagonal: Vec<f64>,
-    off_diagonal: Vec<f64>,
+    pub(super) gradient: Vec<f64>,
+    pub(super) diagonal: Vec<f64>,
+    pub(super) off_diagonal: Vec<f64>,
 }
 
 impl Linearised {
-    fn new(sides: &[Crossed<'_>], shares: &[f64]) -> Self {
+    pub(super) fn new(sides: &[Crossed<'_>], shares: &[f64]) -> Self {
         let inner = shares.len() - 2;
         let mut this = Self {
             objective: 0.0,

@@ -103,6 +103,28 @@ pub fn weave(grounds: &[Ground<'_>], schedule: &Schedule) -> Result<Woven, Weave
     Ok(Woven { members, drift })
 }
 
+/// Where exact members end that run once around a ring: shares of the line where they come back, in
+/// the order of threads.
+pub fn come_back(grounds: &[Ground<'_>], schedule: &Schedule) -> Result<Vec<f64>, WeaveError> {
+    let geodesics: Vec<Geodesics<'_>> = grounds
+        .iter()
+        .map(|g| Geodesics::new(g.domain.mesh()))
+        .collect();
+    let threads = schedule.threads.par_iter();
+    let ends = threads.map(|thread| {
+        let members = follow(grounds, &geodesics, thread)?;
+        let hop = thread.walks.first().and_then(|walk| walk.last());
+        Ok(match (hop, members.last()) {
+            (Some(hop), Some((_, member))) if hop.enter == End::Start => {
+                grounds[hop.passage].end.line_share(member.end)
+            }
+            (Some(hop), Some((_, member))) => grounds[hop.passage].start.line_share(member.start),
+            _ => thread.at,
+        })
+    });
+    ends.collect()
+}
+
 /// How far members that come back at a seam miss those that begin there.
 fn drift(grounds: &[Ground<'_>], members: &[Vec<Member>], seam: Seam) -> Drift {
     let begin = &grounds[seam.first];

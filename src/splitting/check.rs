@@ -5,10 +5,11 @@ use super::{Criteria, Feasibility};
 use crate::cladding::{AngleChoice, Clad, Infeasible, Obstacle};
 use crate::layout::Domain;
 use crate::project::model::Family;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Criteria of a patch. Lengths in metres, angles in degrees, curvature in 1/m².
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PatchCheck {
     /// Name of the patch.
     pub patch: String,
@@ -46,7 +47,7 @@ pub struct PatchCheck {
 }
 
 /// A value of each family.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PerFamily<T> {
     /// Of the u-family.
     pub u: T,
@@ -61,7 +62,7 @@ impl<T> From<[T; 2]> for PerFamily<T> {
 }
 
 /// A significant peak of curvature.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct PeakCheck {
     /// Where it is.
     pub place: [f64; 3],
@@ -72,7 +73,7 @@ pub struct PeakCheck {
 }
 
 /// Diagonals on the surface and in the plane.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct DiagonalCheck {
     /// On the surface.
     pub surface: [f64; 2],
@@ -83,7 +84,7 @@ pub struct DiagonalCheck {
 }
 
 /// The angle at the first corner.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct AngleCheck {
     /// On the surface.
     pub surface: Option<f64>,

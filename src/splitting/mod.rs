@@ -4,7 +4,7 @@
 //! |---|---|
 //! | measure a patch by the surface alone: curvature, coverage of its peaks, diagonals | [`feasibility`], [`coverage`] |
 //! | hold that against the project's limits, in words | [`judge`] |
-//! | have all criteria in one record | [`check`] |
+//! | have all criteria in one record, and those of all patches for scripts | [`check`], [`CheckDocument`] |
 //! | know where a patch can be split | [`Proposal`] |
 
 mod account;
@@ -13,6 +13,7 @@ mod automatic;
 mod check;
 mod coverage;
 mod cut;
+mod document;
 mod draft;
 mod feasibility;
 mod informed;
@@ -24,6 +25,7 @@ mod split;
 pub use check::{AngleCheck, DiagonalCheck, Findings, PatchCheck, PeakCheck, PerFamily, check};
 pub use coverage::{Coverage, coverage};
 pub use cut::Refusal;
+pub use document::{CheckDocument, schema};
 pub use draft::{Draft, DraftPatch};
 pub use feasibility::{Feasibility, JudgedPeak, feasibility};
 pub use judge::{Criteria, judge};

@@ -172,7 +172,20 @@ fn extract(parent: &Mesh, faces: &[u32]) -> (Vec<u32>, Mesh) {
 
 /// Takes in faces until the taken ones around every vertex form one fan.
 fn close_fans(parent: &Mesh, taken: &mut [bool]) {
-    let mut waiting: Vec<u32> = (0..parent.vertex_count()).collect();
+    let mut touched = vec![false; parent.positions().len()];
+    for (corners, _) in parent
+        .faces()
+        .iter()
+        .zip(&*taken)
+        .filter(|(_, taken)| **taken)
+    {
+        for &v in corners {
+            touched[v as usize] = true;
+        }
+    }
+    let mut waiting: Vec<u32> = (0..parent.vertex_count())
+        .filter(|&v| touched[v as usize])
+        .collect();
     while let Some(v) = waiting.pop() {
         let around = || parent.outgoing(v).map(HalfEdge::face);
         let starts_fan = |h: HalfEdge| {

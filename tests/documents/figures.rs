@@ -13,6 +13,7 @@ pub(crate) fn table(plan: &Plan) -> String {
     }
     parts(plan, &mut rows);
     evenness(plan, &mut rows);
+    rings(plan, &mut rows);
     let mut text = String::from("| | |\n|---|---|\n");
     for (name, value) in rows {
         let _ = writeln!(text, "| {name} | {value} |");
@@ -208,6 +209,22 @@ fn evenness(plan: &Plan, rows: &mut Vec<Row>) {
     ));
 }
 
+/// How exactly members of rings come back to where they began.
+fn rings(plan: &Plan, rows: &mut Vec<Row>) {
+    for strip in &plan.strips {
+        let Some(ring) = &strip.ring else { continue };
+        let shown = if ring.drift < 1e-8 {
+            "end where they began, to less than 10 nm".to_owned()
+        } else {
+            format!(
+                "end up to {:.2} mm beside where they began",
+                1e3 * ring.drift
+            )
+        };
+        rows.push((format!("members of the ring {}", strip.id), shown));
+    }
+}
+
 fn parts(plan: &Plan, rows: &mut Vec<Row>) {
     let slides: Vec<f64> = plan
         .lamellae
@@ -248,8 +265,8 @@ fn parts(plan: &Plan, rows: &mut Vec<Row>) {
     rows.push((
         "grid with its hardware".into(),
         format!(
-            "{:.0} g, {:.2} kg/m² of the rectangle around it",
-            1e3 * summary.grid_mass(),
+            "{}, {:.2} kg/m² of the rectangle around it",
+            weight(summary.grid_mass()),
             summary.per_rectangle()
         ),
     ));
@@ -264,15 +281,17 @@ fn parts(plan: &Plan, rows: &mut Vec<Row>) {
         ));
     }
     let tilts = plan.supports.iter().map(|support| support.tilt);
-    rows.push((
-        "supports".into(),
+    let supports = if plan.supports.is_empty() {
+        "none: a structure of this size stands on foundations".to_owned()
+    } else {
         format!(
             "{}, {:.1} kg in all, contact faces of up to {:.1}°",
             plan.supports.len(),
             summary.support_mass,
             tilts.fold(0.0, f64::max)
-        ),
-    ));
+        )
+    };
+    rows.push(("supports".into(), supports));
     let sheets: Vec<String> = plan.sheets.iter().map(sheet).collect();
     let told: Vec<String> = match sheets.len() {
         0..=4 => sheets,

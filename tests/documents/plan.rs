@@ -1,4 +1,4 @@
-//! The reference of the plan, its schema, and that of the difference of two plans.
+//! The reference of the plan, its schema, and those of the difference of two plans and of a check.
 
 use crate::current;
 use crate::tables::Schema;
@@ -7,6 +7,11 @@ use std::fmt::Write;
 #[test]
 fn the_schema_of_the_plan_is_current() {
     current::whole("schema/plan.schema.json", &egg::plan::schema());
+}
+
+#[test]
+fn the_schema_of_a_check_is_current() {
+    current::whole("schema/check.schema.json", &egg::splitting::schema());
 }
 
 #[test]

@@ -147,6 +147,12 @@ fn the_yas_hotel_shows_its_figures() {
 }
 
 #[test]
+fn the_rotunda_shows_its_figures() {
+    let built = shown("rotunda");
+    copied(&built, "layout/patches.svg", "projects/rotunda/patches.svg");
+}
+
+#[test]
 fn every_project_has_a_test_here_and_a_line_in_the_readme() {
     let tests = current::read("tests/documents/projects.rs");
     let readme = current::read("README.md");

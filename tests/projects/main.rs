@@ -22,7 +22,7 @@ const PROJECTS: [&str; 4] = [
 ];
 
 /// Structures of several patches: all shapes of networks.
-const STRUCTURES: [&str; 9] = [
+const STRUCTURES: [&str; 11] = [
     "projects/pavilion/pavilion.toml",
     "projects/prototype/prototype.toml",
     "projects/great-court/great-court.toml",
@@ -32,6 +32,8 @@ const STRUCTURES: [&str; 9] = [
     "projects/peak/by-hand.toml",
     "projects/peak/automatic.toml",
     "projects/peak/informed.toml",
+    "tests/corpus/designs/ring-turned.toml",
+    "projects/rotunda/rotunda.toml",
 ];
 
 /// A file of the repository.

@@ -67,6 +67,19 @@ fn another_exact_solver_confirms_the_plan_of_the_pavilion() {
 }
 
 #[test]
+fn the_check_of_a_structure_is_what_its_schema_says() {
+    let shop = Workshop::new();
+    let schema = shop.egg(&["schema", "check"]).expect(0).out;
+    let schema = shop.write("check.schema.json", schema);
+    let python = python::venv(&["numpy==2.*", "pygeodesic==0.1.*", "jsonschema==4.*"]);
+    let project = root(STRUCTURES[0]);
+    let check = ["check", "--format", "json", &project.to_string_lossy()];
+    let check = shop.write("check.json", shop.egg(&check).expect(0).out);
+    let told = python::read(&python, "schema.py", &[&schema, &check]);
+    assert_eq!(told.trim(), "ok 2 patches");
+}
+
+#[test]
 fn readers_of_drawings_find_the_openings_of_the_plan_in_the_files_of_the_projects() {
     let python = python::venv(&[
         "ezdxf==1.4.*",

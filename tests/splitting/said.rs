@@ -158,3 +158,46 @@ fn a_dry_run_and_a_second_build_know_that_patches_are_a_result() {
     let mut runs = planned.out.lines().filter(|line| line.contains("run"));
     assert!(!runs.any(|line| line.contains("split") || line.contains("distances")));
 }
+
+#[test]
+fn a_patch_that_was_split_is_asked_for_by_its_own_name_and_leaves_its_lamella_to_its_parts() {
+    let shop = workshop();
+    let (_, text) = corpus()
+        .into_iter()
+        .find(|(name, _)| name == "automatic.toml")
+        .expect("there");
+    let own = "\n[lamella.p]\nthickness = 0.007\n";
+    shop.write("automatic.toml", format!("{text}{own}"));
+    let asked = [
+        "build",
+        "automatic.toml",
+        "--only",
+        "p",
+        "--stage",
+        "lamellae",
+    ];
+    let told = shop
+        .egg(&[&asked[..], &["--message-format", "json"]].concat())
+        .expect(0);
+    let records = told
+        .out
+        .lines()
+        .map(|line| serde_json::from_str::<serde_json::Value>(line).expect("a record a line"));
+    let mut made: Vec<String> = records
+        .filter(|record| record["stage"] == "lamellae")
+        .filter_map(|record| Some(record["target"].as_str()?.to_owned()))
+        .collect();
+    made.sort();
+    assert_eq!(made, ["p-1", "p-2"]);
+    let wrong = ["build", "automatic.toml", "--only", "q"];
+    let wrong = shop.egg(&wrong).expect(2).err;
+    assert!(wrong.contains("there is no target `q`"), "{wrong}");
+    shop.egg(&["build", "automatic.toml", "--out", "out"])
+        .expect(0);
+    let plan = plan(&shop, "out");
+    assert!(
+        plan.lamellae
+            .iter()
+            .all(|lamella| lamella.thickness == 0.007)
+    );
+}

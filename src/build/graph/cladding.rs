@@ -7,16 +7,18 @@ use crate::build::stages::cladding::{
 };
 use crate::build::{Graph, Node};
 use crate::cladding::{AngleChoice, Clad, DistanceTable};
-use crate::layout::Domain;
+use crate::layout::{Domain, SideLengths};
 use crate::project::model::Family;
 
 /// How a patch is covered.
 #[derive(Clone, Copy)]
 pub(super) struct Cover {
     pub(super) domain: Node<Domain>,
+    pub(super) sides: Node<SideLengths>,
     /// From the sides that the u- and the v-family run between.
     pub(super) distances: [Node<DistanceTable>; 2],
     pub(super) angles: Node<AngleChoice>,
+    /// Of the patch alone, or as its rings close.
     pub(super) clad: Node<Clad>,
 }
 
@@ -67,6 +69,7 @@ pub(super) fn cover(
     graph.origin(angles, "members", format!("{here}.members"));
     Cover {
         domain,
+        sides,
         distances,
         angles,
         clad,

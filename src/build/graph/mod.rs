@@ -20,6 +20,9 @@
 //! | `judgement` | patch | `split`, names for proposals | `feasibility`, `angles`, `cladding` |
 //! | `check` | patch, for `egg check` | the same, `members` | `patch`, `feasibility`, `angles`, `cladding` |
 //! | `checks` | structure, for `egg check` | | `check` |
+//! | `closing` | rings that shall close | `members`, `distribution.weights`, whether `alpha` is given | `patch`, `distances`, `angles`, `cladding` |
+//! | `closed-cladding` | patch of such a ring | as `cladding` | `sides`, `distances`, `angles`, `closing` |
+//! | `closed-schedule` | such a ring | | `closing` |
 //! | `schedule` | strip | `members`, `distribution.weights`, shares of corners | `cladding` |
 //! | `strip` | strip | the same | `patch`, `cladding`, `schedule` |
 //! | `members` | patch and family | | `strip` |
@@ -38,17 +41,21 @@
 //! | `plan` | structure | name | skeleton, chapters, `nest`, `stickers`, `supports`, `bill` |
 //! | `*-files` | patch or structure | what the drawings show | chapters and what is drawn |
 //!
+//! Patches of rings that shall close have the plans of `closed-cladding`, and the rings the schedules
+//! of `closed-schedule`: what needs `cladding` and `schedule` above then has these.
+//!
 //! `splices` and `spliced` are there where the project asks for joints; what needs chapters then
 //! has the spliced ones.
 //!
 //! One file declares what belongs to one room, in the order of the table: `layout`, `cladding`,
-//! `splitting`, `members`, `grid`, `plan`, `fabrication`, `files`.
+//! `splitting`, `closing`, `members`, `grid`, `plan`, `fabrication`, `files`.
 //!
 //! Names of points and patches are targets of instances, not inputs, up to judgements and chapters
 //! (and of `split`, which makes new ones): a patch that is renamed keeps its geometry. Points and
 //! patches are declared by name, so their order in the file does not matter either.
 
 mod cladding;
+mod closing;
 mod fabrication;
 mod files;
 mod grid;
@@ -59,6 +66,7 @@ mod splitting;
 
 pub use super::unfolding::laid_out;
 
+use super::passages::strip_groups;
 use super::stages::cladding::CHECKS;
 use super::stages::plan::PLAN;
 use super::stages::splitting::SPLIT;
@@ -128,6 +136,9 @@ pub fn declare<'p>(graph: &mut Graph<'p>, design: Design<'p>, extent: Extent) {
     }
     let split = splitting::split(graph, project, surface, curvature);
     graph.unfold(split, move |graph, draft| {
+        for part in draft.patches.iter().filter(|part| part.name != part.origin) {
+            graph.part(&part.name, &part.origin);
+        }
         let laid = laid_out(project, draft);
         let design = Design {
             project: &laid,
@@ -207,15 +218,22 @@ fn structure(graph: &mut Graph<'_>, design: Design<'_>, ground: &Ground, extent:
     let skeleton = plan::skeleton(graph, basis, lines, &anchors);
     let mut covers = Vec::with_capacity(patches.len());
     let mut verdicts = Vec::with_capacity(patches.len());
+    let mut told_of_covers = Vec::with_capacity(patches.len());
     for index in 0..patches.len() {
         let domain = layout::domain(graph, basis, lines, index);
-        let cover = cladding::cover(graph, basis, index, domain, told);
-        verdicts.push(splitting::judge(graph, basis, index, &cover, told));
-        covers.push(cover);
+        let mut told = Told::new();
+        covers.push(cladding::cover(graph, basis, index, domain, &mut told));
+        told_of_covers.push(told);
+    }
+    let strips = strip_groups(&project.distribution, &patches, &network);
+    let closed = closing::close(graph, basis, &strips, &mut covers);
+    for (index, of_cover) in told_of_covers.into_iter().enumerate() {
+        told.extend(of_cover);
+        verdicts.push(splitting::judge(graph, basis, index, &covers[index], told));
     }
     let domains = covers.iter().map(|cover| cover.domain).collect();
     layout::check_neighbours(graph, basis, lines, domains, told);
-    let (members, strips) = members::weave(graph, basis, &covers, told);
+    let (members, strips) = members::weave(graph, basis, strips, &covers, &closed, told);
     let mut chapters = Vec::with_capacity(patches.len());
     for (index, (cover, verdict)) in covers.iter().zip(&verdicts).enumerate() {
         let members = [Family::U, Family::V].map(|family| members[&(index, family)]);

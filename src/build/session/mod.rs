@@ -176,7 +176,9 @@ impl<'p, 's> Session<'p, 's> {
             let wanted = entry.wanted
                 || unfolding[index]
                 || entry.dependents.iter().any(|&d| self.entries[d].wanted)
-                || self.request.selects(&self.graph.nodes[index].instance);
+                || self
+                    .graph
+                    .selects(self.request, &self.graph.nodes[index].instance);
             if wanted && !entry.wanted {
                 self.agenda.insert(index);
             }

@@ -20,6 +20,7 @@ impl Session<'_, '_> {
         let stages: BTreeSet<&str> = instances().map(|one| one.stage.as_str()).collect();
         let targets: BTreeSet<&str> = instances()
             .map(|one| one.target.as_str())
+            .chain(self.graph.wholes())
             .filter(|target| !target.is_empty())
             .collect();
         let mut errors = Vec::new();
@@ -35,7 +36,7 @@ impl Session<'_, '_> {
                 errors.push(unknown("target", target, &targets));
             }
         }
-        if errors.is_empty() && !instances().any(|one| self.request.selects(one)) {
+        if errors.is_empty() && !instances().any(|one| self.graph.selects(self.request, one)) {
             let what = "none of the stages is done for any of the targets";
             errors.push(Diagnostic::error(NO_SUCH_STAGE, what));
         }

@@ -6,6 +6,7 @@
 use super::super::key::{Digest, KeyParts, PortKind};
 use super::super::needs::Value;
 use super::super::reason::Reason;
+use super::super::request::Force;
 use super::super::store::trace::Head;
 use super::super::store::{Damage, Found};
 use super::{NOT_CANONICAL, Session, Status, Supplies, internal};
@@ -54,8 +55,11 @@ impl Session<'_, '_> {
             }
         };
         self.entries[index].key = Some(key);
-        let forced =
-            self.request.forces(&self.declared(index).instance) && !self.forced.contains(&key);
+        let forced = self.request.force == Force::Selected
+            && self
+                .graph
+                .selects(self.request, &self.declared(index).instance)
+            && !self.forced.contains(&key);
         if forced {
             return self.mark_due(index, vec![Reason::Forced]);
         }

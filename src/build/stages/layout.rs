@@ -5,10 +5,10 @@ use super::{judged, plain};
 use crate::build::{Failure, Node, Numerics, Stage};
 use crate::diagnostics::codes::layout as codes;
 use crate::diagnostics::{Diagnostic, Warned};
-use crate::geodesic::{GeodesicError, Geodesics};
+use crate::geodesic::GeodesicError;
 use crate::layout::{
     Bend, Domain, Network, PlacedPatch, Quad, Side, Structure, bend_at_border, check_network,
-    check_quad, hole_inside, place, place_anchors,
+    check_quad, hole_inside, place, place_anchors, shortest_line,
 };
 use crate::project::model::Anchor;
 use crate::surface::{Mesh, Point3, SurfaceMesh, SurfacePoint};
@@ -53,12 +53,11 @@ pub(in crate::build) const LINE: Stage<
     Side,
 > = Stage {
     name: "line",
-    version: 3,
+    version: 4,
     numerics: Numerics::Portable,
     run: |(), (surface, from, to), _| {
         let mesh = &surface.mesh;
-        let path = Geodesics::new(mesh)
-            .shortest(from, to)
+        let path = shortest_line(mesh, from, to)
             .map_err(|error| Failure::from(no_line(mesh, [from, to], &error)))?;
         match bend_at_border(mesh, &path) {
             Some(bend) => Err(blocked(mesh, [from, to], &bend).into()),

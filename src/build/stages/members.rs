@@ -56,17 +56,23 @@ pub(in crate::build) const SCHEDULE: Stage<StripInput, Vec<Node<Clad>>, Schedule
             })
             .collect();
         let weight = |passage: usize, end: End| input.passages[passage].weights[end as usize];
-        plain(schedule(&passages, &weight).map_err(|fault| no_schedule(&fault))?)
+        plain(schedule(&passages, &weight).map_err(|fault| no_schedule(&fault, &of_strip))?)
     },
 };
 
-fn no_schedule(fault: &ThreadFault) -> Failure {
+/// The field of the input of a strip that stands for a passage.
+fn of_strip(passage: usize) -> String {
+    format!(".passages[{passage}]")
+}
+
+/// `field` tells the field of the input that stands for a passage.
+pub(super) fn no_schedule(fault: &ThreadFault, field: &dyn Fn(usize) -> String) -> Failure {
     match fault {
         ThreadFault::Spiral { passage } => Diagnostic::error(
             codes::SPIRAL,
             "members through the corners of neighbouring patches run round and round",
         )
-        .at_key(format!(".passages[{passage}]"), "through this patch")
+        .at_key(field(*passage), "through this patch")
         .help("let corners of neighbouring patches meet, instead of standing inside sides"),
         ThreadFault::Counts {
             passage,
@@ -79,13 +85,13 @@ fn no_schedule(fault: &ThreadFault) -> Failure {
                  corners need {others}"
             ),
         )
-        .at_key(format!(".passages[{passage}].count"), "this count")
+        .at_key(format!("{}.count", field(*passage)), "this count")
         .help(format!("give it {others} members, or its neighbours fewer")),
         ThreadFault::Uncounted { passage } => Diagnostic::error(
             codes::COUNTS,
             "nothing says how many members run through the patch",
         )
-        .at_key(format!(".passages[{passage}].count"), "here")
+        .at_key(format!("{}.count", field(*passage)), "here")
         .help("give `members` of this patch"),
     }
     .into()
@@ -96,7 +102,7 @@ type StripNeeds = (Vec<Node<Domain>>, Vec<Node<Clad>>, Node<Schedule>);
 /// Exact members of all families of a strip.
 pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Woven> = Stage {
     name: "strip",
-    version: 3,
+    version: 4,
     numerics: Numerics::Portable,
     run: |input, (domains, clads, schedule), _| {
         let grounds: Vec<Ground<'_>> = input
@@ -111,7 +117,7 @@ pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Woven> = Stage {
                 end: passage.end,
             })
             .collect();
-        let woven = weave(&grounds, schedule).map_err(|error| no_member(&error))?;
+        let woven = weave(&grounds, schedule).map_err(|error| no_member(&error, &of_strip))?;
         let open = woven.drift.filter(|drift| drift.share > CLOSES);
         let told = open.map(|drift| open_ring(&drift, input.closed));
         judged(woven, told.into_iter().collect())
@@ -127,23 +133,25 @@ fn open_ring(drift: &Drift, closed: bool) -> Diagnostic {
         1e3 * drift.metres,
         1e2 * drift.share
     );
-    let told = if closed {
-        Diagnostic::error(codes::CANNOT_CLOSE, by)
+    let (told, help) = if closed {
+        (
+            Diagnostic::error(codes::CANNOT_CLOSE, by),
+            "ask for fewer members, or take the ring out of `distribution.closed`",
+        )
     } else {
-        Diagnostic::warning(codes::OPEN_RING, by)
+        (
+            Diagnostic::warning(codes::OPEN_RING, by),
+            "name this family in `distribution.closed`: planar angles are then chosen such that \
+             its members end where they began; or let the ring begin where it does not show",
+        )
     };
-    told.at_key(
-        format!(".passages[{}]", drift.passage),
-        "around from this patch",
-    )
-    .help(
-        "let neighbouring patches be mirror images of each other, with `alpha` given, or open \
-             the ring where it does not show",
-    )
+    let key = format!(".passages[{}]", drift.passage);
+    told.at_key(key, "around from this patch").help(help)
 }
 
-fn no_member(error: &WeaveError) -> Failure {
-    let patch = format!(".passages[{}]", error.passage);
+/// `passage` tells the field of the input that stands for a passage.
+pub(super) fn no_member(error: &WeaveError, passage: &dyn Fn(usize) -> String) -> Failure {
+    let patch = passage(error.passage);
     let (given, closest, difference) = match error.why {
         RefineError::Geodesic(why) => return no_geodesic_in(&patch, &why),
         RefineError::NoEqualLength {

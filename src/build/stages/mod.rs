@@ -6,6 +6,7 @@
 //! in the project these come from.
 
 pub(super) mod cladding;
+pub(super) mod closing;
 pub(super) mod fabrication;
 pub(super) mod layout;
 pub(super) mod members;

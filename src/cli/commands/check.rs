@@ -10,8 +10,7 @@ use crate::cli::design::Opened;
 use crate::cli::exit::Exit;
 use crate::cli::run::Job;
 use crate::cli::table;
-use crate::splitting::PatchCheck;
-use serde::Serialize;
+use crate::splitting::CheckDocument;
 use std::path::Path;
 
 /// Whether the project is held to its lock.
@@ -21,19 +20,6 @@ pub(in crate::cli) enum Held {
     Free,
     /// It has to give what `plan.lock` says.
     Locked,
-}
-
-/// What `--format json` prints.
-#[derive(Serialize)]
-struct Document<'a> {
-    /// `egg-check`.
-    format: &'static str,
-    /// Raised when a field changes its meaning or goes; further fields may come any time.
-    version: u32,
-    project: &'a str,
-    /// Whether all patches are feasible and nothing else is wrong.
-    feasible: bool,
-    patches: &'a [PatchCheck],
 }
 
 pub(in crate::cli) fn run(
@@ -61,13 +47,8 @@ pub(in crate::cli) fn run(
             }
         }
         CheckFormat::Json => {
-            let document = Document {
-                format: "egg-check",
-                version: 1,
-                project: &project.name,
-                feasible: exit == Exit::Done && checks.iter().all(|check| check.feasible),
-                patches: checks,
-            };
+            let sound = exit == Exit::Done;
+            let document = CheckDocument::new(&project.name, sound, checks);
             let text = serde_json::to_string_pretty(&document).unwrap_or_default();
             out(&format!("{text}\n"));
         }

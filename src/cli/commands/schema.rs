@@ -7,6 +7,7 @@ pub(in crate::cli) fn run(of: SchemaOf) {
     out(&match of {
         SchemaOf::Project => crate::project::schema(),
         SchemaOf::Plan => crate::plan::schema(),
+        SchemaOf::Check => crate::splitting::schema(),
         SchemaOf::Difference => crate::diff::schema(),
     });
 }

@@ -26,14 +26,20 @@ pub(super) const CODES: &[CodeInfo] = &[
         title: "a ring of members does not close",
         text: "\
 `distribution.closed` asks that the members of a ring of patches end where they began. A member is \
-carried around by the cladding functions of the patches, and these are given by the surface and by \
-the planar angles: what one patch shifts, another has to shift back. Here the members come back \
-beside their beginnings, by the distance that is told.
+carried around by the cladding functions of the patches, and these depend on the surface and on the \
+planar angles: what one patch shifts, another has to shift back. egg looks for angles and places of \
+members with which all of them come back, within what is feasible for each patch, both ways of \
+collapsing included. Here it found none; the closest that it came to is told, with its angles.
 
-Rings close where neighbouring patches are mirror images of each other and collapse as mirror images: \
-list their corners in mirrored order and give both the same `alpha`. Otherwise take the family out of \
-`closed`: on the side where the ring begins, members of the two patches then end beside each other, \
-each on the boundary lamella of its own patch.",
+As many inner members as there are patches with automatic angles can close in general, so ask for \
+fewer members, or let egg choose more of the angles. Any number closes where patches are mirror \
+images of each other, or the same patch turned, an even number of times: then the mesh has to be \
+symmetric too, down to its triangles. Angles that went as far as they go are named: wider bounds in \
+`split.slope` or smaller patches leave them more room. A ring into whose sides corners of other \
+patches reach cannot be asked to close, because the members through these corners are given.
+
+Otherwise take the family out of `closed`: on the side where the ring begins, members of the two \
+patches then end beside each other, each on the boundary lamella of its own patch.",
     },
     CodeInfo {
         code: "W0330",
@@ -43,7 +49,8 @@ each on the boundary lamella of its own patch.",
 Members that run once around a ring of patches need not come back to where they began (paper, \
 section 4.4). On the side where the ring begins the members of the two patches end beside each \
 other. The grid is sound: every patch has a boundary lamella of its own there. It is said because \
-it shows.",
+it shows. `distribution.closed` makes them end where they began, if the angles of the patches allow \
+it.",
     },
     CodeInfo {
         code: "E0601",

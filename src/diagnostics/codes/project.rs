@@ -331,7 +331,13 @@ is one patch's, its parts are the other patches'.",
         "anchor-cycle",
         "anchors are defined by each other",
         "An anchor with `on` lies on the geodesic between two other anchors, which must be known \
-before. Here the way leads back to the anchor itself. Give one of them coordinates or a vertex.",
+before. Here the way leads back to the anchor itself. Give one of them coordinates or a vertex.
+
+A pinwheel, where four patches turn around a small one and a corner of each stands on a side of the \
+next, is such a circle: no side is there before the others, because each ends on the next. Break it \
+where it shows least: give one of the inner corners coordinates, let the long side that passed it end \
+there, and divide the patch of that long side by a side from there to the opposite one. The three \
+other corners stay T-junctions.",
     ),
     info(
         "E0210",

@@ -14,7 +14,8 @@ pub struct StripRecord {
     /// Its families, sorted.
     pub families: Vec<String>,
     /// How much more even its members are than if they were even on the side where they begin:
-    /// the sum of squared distances (paper, Problem 3) before, over that after; at least 1.
+    /// the sum of squared distances (paper, Problem 3) before, over that after; at least 1, unless a ring
+    /// had to close.
     #[serde(serialize_with = "round::share")]
     pub evenness_gained: f64,
     /// If its patches go around and meet again.

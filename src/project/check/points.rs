@@ -212,7 +212,12 @@ fn break_cycles(anchors: &mut [(&str, Option<Place<'_>>)], sink: &mut Sink) {
             )
             .at_key(path.as_str(), "leads back to this anchor")
             .note(format!("the way around: {}", shortened_chain(&chain)));
-            diagnostic.help("give one of them coordinates or a vertex")
+            diagnostic.help(if cycle.len() > 2 {
+                "give one of them coordinates or a vertex; in a pinwheel, divide the patch whose side \
+                 it stood on from there across"
+            } else {
+                "give one of them coordinates or a vertex"
+            })
         });
         for point in cycle {
             anchors[point].1 = None;

@@ -178,8 +178,9 @@ pub(crate) struct DistributionSection {
     /// Importance of sides in the distribution, by the two anchors: `"a-d" = 2`. More than 0,
     /// at most 1e6. Default 1 for every side.
     pub(crate) weights: Option<Field<Named<Sides, Plain<Weight>>>>,
-    /// Families whose strip of patches is a ring and whose members shall close: `[`"west.u"`]`.
-    /// Default none.
+    /// Families whose strip of patches is a ring and whose members shall end where they began:
+    /// `[`"west.u"`]`, one family a ring. The automatic angles of its patches are chosen together for
+    /// that. Default none.
     pub(crate) closed: Option<Field<List<FamilyName, 0, 2000>>>,
 }
 
