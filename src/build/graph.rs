@@ -185,6 +185,7 @@ fn split(
         slope,
         min_side,
         max_patches,
+        max_side,
     } = project.split;
     let limits = SplitLimits {
         workflow,
@@ -192,6 +193,7 @@ fn split(
         slope,
         min_side,
         max_patches,
+        max_side,
     };
     let node = graph.add(
         &SPLIT,

@@ -10,14 +10,17 @@
 mod account;
 mod appraise;
 mod automatic;
+mod block;
 mod check;
 mod coverage;
 mod cut;
 mod draft;
 mod feasibility;
+mod growing;
 mod informed;
 mod judge;
 mod merging;
+mod principal;
 mod proposal;
 mod split;
 

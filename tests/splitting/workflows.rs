@@ -13,6 +13,7 @@ const LIMITS: SplitLimits = SplitLimits {
     slope: [0.4, 2.5],
     min_side: None,
     max_patches: None,
+    max_side: None,
 };
 
 fn run(mesh: &Mesh, draft: &Draft, limits: &SplitLimits) -> (Draft, Vec<Diagnostic>) {
