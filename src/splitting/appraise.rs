@@ -299,6 +299,10 @@ impl<'a> Appraiser<'a> {
             .filter(|(spot, _)| !self.anchors.contains_key(*spot))
             .collect();
         let (spots, new): (Vec<&Spot>, Vec<(String, Anchor)>) = new.into_iter().unzip();
+        if new.is_empty() {
+            // Looking anchors up takes a tree of all faces.
+            return Ok(());
+        }
         let placed = place_anchors(self.surface, &new)?.value;
         for (spot, at) in spots.into_iter().zip(placed) {
             self.anchors.extend(at.map(|at| (spot.clone(), at)));

@@ -23,7 +23,7 @@ use std::sync::Arc;
 
 /// Blocks after which nothing new is to be expected.
 const BLOCKS: usize = 200;
-/// A patch on the circle has to leave this much of its own size around it to be one of its own.
+/// A patch on the circle has to leave this much of its own size beside it to be one of its own.
 const ROOM: f64 = 1.5;
 
 /// Grows blocks until all patches are settled or stuck, then merges.
@@ -103,7 +103,7 @@ fn around(workshop: &mut Workshop<'_>, name: &str, peak: &JudgedPeak) -> Result<
     let failing = peak.eta().map(|eta| eta > limits.eta_max);
     let on_circle = circle(&site, Shape::One, peak.gaussian);
     let [south, east, north, west] = site.arms;
-    let roomy = |i: usize| [i, i + 2].iter().all(|&side| on_circle[side] * ROOM < 1.0);
+    let roomy = |i: usize| [i, i + 2].iter().any(|&side| on_circle[side] * ROOM < 1.0);
     // u-members run from AB to DC, v-members from AD to BC.
     let room = (!failing[0] || roomy(0)) && (!failing[1] || roomy(1));
     let middle = (failing[0] && centred(south, north)) || (failing[1] && centred(west, east));
