@@ -71,7 +71,7 @@ pub(super) fn grow(
         }
         let from = extent;
         let (mut low, mut high) = (0.0, 1.0);
-        for _ in 1..HALVINGS {
+        for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             let mut next = from;
             group
