@@ -227,3 +227,60 @@ fn a_dry_run_and_a_second_build_know_that_patches_are_a_result() {
     let mut runs = planned.out.lines().filter(|line| line.contains("run"));
     assert!(!runs.any(|line| line.contains("split") || line.contains("distances")));
 }
+
+#[test]
+fn keys_that_name_a_split_patch_name_its_parts() {
+    let shop = workshop();
+    let designs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/designs");
+    let read = |name: &str| fs::read_to_string(designs.join(name)).expect("a file");
+    shop.write("courtyard.obj", read("wrong/courtyard.obj"));
+    let ring = read("ring-closed.toml").replace("wrong/courtyard", "courtyard");
+    shop.write("ring.toml", &ring);
+    let kept = shop.egg(&["split", "ring.toml"]).expect(0).out;
+    assert!(kept.contains("closed = [\"south.v\"]"), "{kept}");
+    assert_eq!(kept.matches("alpha = 32").count(), 4);
+    shop.write(
+        "ring.toml",
+        ring.replace("[split]", "[split]\nmax_side = 1"),
+    );
+    let halved = shop.egg(&["split", "ring.toml"]).expect(0).out;
+    assert_eq!(halved.matches("[patches.").count(), 8);
+    assert!(
+        halved.contains("closed = [\"south-1.v\", \"south-2.v\"]"),
+        "{halved}"
+    );
+    // Angles were the designer's for the whole patches; parts choose theirs.
+    assert!(!halved.contains("alpha"), "{halved}");
+}
+
+/// One coarse layout of each of the buildings of the paper, which it splits into 4, 16 and 16 patches.
+#[test]
+fn coarse_layouts_of_buildings_become_feasible_with_few_patches() {
+    let shop = Workshop::new();
+    let projects = Path::new(env!("CARGO_MANIFEST_DIR")).join("projects");
+    for (name, most, patches) in [
+        ("great-court", 6, 6),
+        ("lilium-tower", 24, 4),
+        ("yas-hotel", 24, 4),
+    ] {
+        let folder = projects.join(name);
+        let mesh = format!("{name}.obj");
+        for file in ["coarse.toml", &mesh] {
+            shop.write(file, fs::read(folder.join(file)).expect("a file"));
+        }
+        let split = shop.egg(&["split", "coarse.toml"]).expect(0);
+        assert!(!split.err.contains("W0351"), "{}", split.err);
+        let found = split.out.matches("[patches.").count();
+        assert_eq!(found, patches, "{}", split.out);
+        assert!(found <= most);
+        // The buildings are symmetric, and cuts run through their middle.
+        let mut added = split.out.lines().filter(|line| line.contains("-s"));
+        let in_the_middle = |line: &str| !line.contains("on = ") || line.contains("at = 0.5 }");
+        let given = |line: &str| line.starts_with("south-") || line.starts_with("north-");
+        assert!(
+            added.all(|line| in_the_middle(line) || given(line)),
+            "{}",
+            split.out
+        );
+    }
+}
