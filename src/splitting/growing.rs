@@ -60,7 +60,9 @@ pub(super) fn grow(
     // A side that can reach the outline leaves nothing beyond it: that comes first.
     for group in &groups {
         let mut next = extent;
-        group.iter().for_each(|&side| next[side] = 1.0);
+        for &side in group {
+            next[side] = 1.0;
+        }
         if let Some(grown) = growth.attempt(&next)? {
             (extent, best) = (next, grown);
         }
@@ -74,9 +76,9 @@ pub(super) fn grow(
         for _ in 0..HALVINGS {
             let middle = 0.5 * (low + high);
             let mut next = from;
-            group
-                .iter()
-                .for_each(|&side| next[side] = from[side] + middle * (1.0 - from[side]));
+            for &side in group {
+                next[side] = from[side] + middle * (1.0 - from[side]);
+            }
             if let Some(grown) = growth.attempt(&next)? {
                 (extent, best) = (next, grown);
                 low = middle;

@@ -12,9 +12,9 @@ const INFORMED: SplitLimits = SplitLimits {
     ..LIMITS
 };
 
-/// A hill at x = -9 in an outline from x = -14 to 14.
+/// A hill at x = -7 in an outline from x = -14 to 14.
 fn off_the_middle() -> (Mesh, Draft) {
-    let mesh = bumps(&[[-9.0, 0.0]], 3.2, 3.0, &grid([16.0, 7.0], [64, 28]));
+    let mesh = bumps(&[[-7.0, 0.0]], 3.2, 3.0, &grid([16.0, 7.0], [64, 28]));
     (mesh, outline([14.0, 5.5], [13, 7]))
 }
 
@@ -78,34 +78,30 @@ fn off_the_middle_one_patch_grows_from_the_circle_until_it_would_not_cover_the_h
     let cut = shares(&found, "ab");
     let [cut] = cut[..] else { panic!("{cut:?}") };
     // The circle: the hill's K is (h/s²)², so that the patch on it reaches π s² / (h √2) beyond the
-    // peak, which stands at 5 of 28.
+    // peak, which stands at 7 of 28.
     let circle = std::f64::consts::PI * 9.0 / (3.2 * std::f64::consts::SQRT_2);
-    assert!(cut > (5.0 + circle) / 28.0, "{cut}");
+    assert!(cut > (7.0 + circle) / 28.0, "{cut}");
     // It is as large as it can be, to a sixteenth of what lies beyond the circle.
     assert!(holds(&mesh, &draft, cut));
-    let step = (23.0 - circle) / 28.0 / 16.0;
+    let step = (21.0 - circle) / 28.0 / 16.0;
     assert!(!holds(&mesh, &draft, cut + 1.1 * step), "{cut} {step}");
 }
 
 #[test]
-fn patches_grow_to_the_size_that_is_wanted() {
+fn a_patch_grows_to_the_size_that_is_wanted() {
     let mesh = bumps(&[[0.0, 0.0]], 3.2, 3.0, &grid([22.0, 7.0], [88, 28]));
+    let draft = outline([20.0, 5.5], [17, 7]);
     let wanted = SplitLimits {
-        max_side: Some(13.0),
+        max_side: Some(14.0),
         ..INFORMED
     };
-    let draft = outline([20.0, 5.5], [17, 7]);
     let (found, told) = run(&mesh, &draft, &wanted);
+    // Nothing is left that is infeasible or larger: that would be told.
     assert_eq!(codes(&told), ["W0352"], "{told:#?}");
-    // Two beside the side over the hill, one beyond each: the same on both sides.
-    assert_eq!(found.patches.len(), 4, "{found:#?}");
-    let [west, middle, east] = shares(&found, "ab")[..] else {
-        panic!("{found:#?}")
-    };
-    assert_eq!(middle, 0.5);
-    assert!((west + east - 1.0).abs() < 1e-9, "{west} {east}");
-    // As large as is wanted: 13 m are 0.325 of the side.
-    assert!(east - middle > 0.29 && east - middle < 0.326, "{east}");
+    // The hill in the middle, a patch on either side.
+    assert_eq!(found.patches.len(), 3, "{found:#?}");
+    let unlimited = run(&mesh, &draft, &INFORMED).0;
+    assert!(unlimited.patches.len() <= found.patches.len());
 }
 
 #[test]

@@ -23,7 +23,7 @@ fn workshop() -> Workshop {
     shop.write("hill.obj", write_obj(&hill, "a hill"));
     let spike = bumps(&[[0.0, 0.0]], 4.2, 3.0, &grid([11.0, 11.0], [44, 44]));
     shop.write("spike.obj", write_obj(&spike, "a steep hill"));
-    let slope = bumps(&[[-9.0, 0.0]], 3.2, 3.0, &grid([16.0, 7.0], [64, 28]));
+    let slope = bumps(&[[-7.0, 0.0]], 3.2, 3.0, &grid([16.0, 7.0], [64, 28]));
     shop.write("slope.obj", write_obj(&slope, "a hill off the middle"));
     for (name, text) in corpus() {
         shop.write(&name, text);
