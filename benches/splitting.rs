@@ -18,9 +18,9 @@ use std::time::Instant;
 /// Project files, and the paper's number of patches.
 const PROJECTS: [(&str, Option<usize>); 4] = [
     ("projects/peak/peak.toml", None),
-    ("benches/coarse/great-court.toml", Some(4)),
-    ("benches/coarse/lilium-tower.toml", Some(16)),
-    ("benches/coarse/yas-hotel.toml", Some(16)),
+    ("projects/great-court/coarse.toml", Some(4)),
+    ("projects/lilium-tower/coarse.toml", Some(16)),
+    ("projects/yas-hotel/coarse.toml", Some(16)),
 ];
 
 fn main() {

@@ -153,9 +153,9 @@ impl Opened {
         (notation, LengthText::of(units))
     }
 
-    /// Whether a patch has lamellae of its own.
-    pub(super) fn overrides_lamella(&self, patch: &str) -> bool {
-        let key = crate::diagnostics::KeyPath::of(["lamella", patch]);
+    /// Whether the file has a key.
+    pub(super) fn says<const N: usize>(&self, key: [&str; N]) -> bool {
+        let key = crate::diagnostics::KeyPath::of(key);
         self.loaded.spans.contains(key.as_str())
     }
 

@@ -1,8 +1,8 @@
-//! Points and patches as text of a project file: what `egg split` prints, to be pasted and kept.
-//! What is written is read back to the last bit.
+//! Points and patches as text of a project file, with all that names them: what `egg split` prints, to
+//! be pasted and kept. What is written is read back to the last bit.
 
 use super::Notation;
-use super::model::{Anchor, Patch, Point, Project};
+use super::model::{Anchor, Family, Patch, Point, Project};
 use std::fmt::Write;
 
 /// How lengths are written.
@@ -36,16 +36,52 @@ impl LengthText {
     }
 }
 
-/// The tables `points`, `patches` and, where there are any, weights of sides of a project, as text
-/// that replaces those of its file.
-pub fn layout_text(project: &Project, notation: Notation, lengths: LengthText) -> String {
-    match notation {
-        Notation::Toml => toml(project, lengths),
-        Notation::Ron => ron(project, lengths),
+/// What a project says of the lamellae of one patch.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OwnLamella {
+    /// Name of the patch.
+    pub patch: String,
+    /// Width, metres, if it says one.
+    pub width: Option<f64>,
+    /// Thickness, metres, if it says one.
+    pub thickness: Option<f64>,
+    /// Material, if it says one.
+    pub material: Option<String>,
+}
+
+impl OwnLamella {
+    /// Its keys with their values.
+    fn fields(&self, is: &str, lengths: LengthText) -> Vec<String> {
+        let length = |key: &str, metres: Option<f64>| {
+            metres.map(|metres| format!("{key}{is}{}", lengths.write(metres)))
+        };
+        let material = self.material.as_ref();
+        [
+            length("width", self.width),
+            length("thickness", self.thickness),
+            material.map(|name| format!("material{is}\"{name}\"")),
+        ]
+        .into_iter()
+        .flatten()
+        .collect()
     }
 }
 
-fn toml(project: &Project, lengths: LengthText) -> String {
+/// The tables `points`, `patches`, `distribution` and those of lamellae of single patches, as text
+/// that replaces those of the project's file.
+pub fn layout_text(
+    project: &Project,
+    own: &[OwnLamella],
+    notation: Notation,
+    lengths: LengthText,
+) -> String {
+    match notation {
+        Notation::Toml => toml(project, own, lengths),
+        Notation::Ron => ron(project, own, lengths),
+    }
+}
+
+fn toml(project: &Project, own: &[OwnLamella], lengths: LengthText) -> String {
     let mut text = String::from("[points]\n");
     for point in &project.points {
         let place = place(point, lengths, |edge, at| {
@@ -69,14 +105,26 @@ fn toml(project: &Project, lengths: LengthText) -> String {
             let _ = writeln!(text, "alpha = {}", degrees(alpha));
         }
     }
-    let weights = weights(project, " = ");
+    let (weights, closed) = (weights(project, " = "), closed(project));
+    if !weights.is_empty() || !closed.is_empty() {
+        let _ = writeln!(text, "\n[distribution]");
+    }
     if !weights.is_empty() {
-        let _ = writeln!(text, "\n[distribution]\nweights = {{ {weights} }}");
+        let _ = writeln!(text, "weights = {{ {weights} }}");
+    }
+    if !closed.is_empty() {
+        let _ = writeln!(text, "closed = [{closed}]");
+    }
+    for lamella in own {
+        let _ = writeln!(text, "\n[lamella.{}]", lamella.patch);
+        for field in lamella.fields(" = ", lengths) {
+            let _ = writeln!(text, "{field}");
+        }
     }
     text
 }
 
-fn ron(project: &Project, lengths: LengthText) -> String {
+fn ron(project: &Project, own: &[OwnLamella], lengths: LengthText) -> String {
     let mut text = String::from("points: {\n");
     for point in &project.points {
         let place = place(point, lengths, |edge, at| {
@@ -102,9 +150,23 @@ fn ron(project: &Project, lengths: LengthText) -> String {
         let _ = writeln!(text, "    \"{}\": ({fields}),", patch.name);
     }
     text.push_str("},\n");
-    let weights = weights(project, ": ");
+    let mut distribution = Vec::new();
+    let (weights, closed) = (weights(project, ": "), closed(project));
     if !weights.is_empty() {
-        let _ = writeln!(text, "distribution: (weights: {{ {weights} }}),");
+        distribution.push(format!("weights: {{ {weights} }}"));
+    }
+    if !closed.is_empty() {
+        distribution.push(format!("closed: [{closed}]"));
+    }
+    if !distribution.is_empty() {
+        let _ = writeln!(text, "distribution: ({}),", distribution.join(", "));
+    }
+    if !own.is_empty() {
+        text.push_str("// These belong into `lamella`:\n");
+    }
+    for lamella in own {
+        let fields = lamella.fields(": ", lengths).join(", ");
+        let _ = writeln!(text, "    \"{}\": ({fields}),", lamella.patch);
     }
     text
 }
@@ -133,6 +195,16 @@ fn members(patch: &Patch, is: &str) -> String {
 fn weights(project: &Project, is: &str) -> String {
     let weights = project.distribution.weights.iter();
     let said = weights.map(|([a, b], weight)| format!("\"{a}-{b}\"{is}{weight}"));
+    said.collect::<Vec<String>>().join(", ")
+}
+
+fn closed(project: &Project) -> String {
+    let letter = |family: Family| match family {
+        Family::U => 'u',
+        Family::V => 'v',
+    };
+    let closed = project.distribution.closed.iter();
+    let said = closed.map(|(patch, family)| format!("\"{patch}.{}\"", letter(*family)));
     said.collect::<Vec<String>>().join(", ")
 }
 
@@ -180,15 +252,14 @@ mod tests {
     fn file(units: &str, layout: &str) -> String {
         format!(
             "project = {{ format = 1, units = \"{units}\" }}\nsurface = {{ mesh = \"m.obj\" }}\n\
-             lamella = {{ width = \"30 mm\", thickness = \"3 mm\", material = \"limewood\" }}\n\
-             {layout}"
+             [lamella]\nwidth = \"30 mm\"\nthickness = \"3 mm\"\nmaterial = \"oak\"\n{layout}"
         )
     }
 
-    fn ron_file(units: &str, layout: &str) -> String {
+    fn ron_file(units: &str, layout: &str, own: &str) -> String {
         format!(
             "(project: (format: 1, units: {units}), surface: (mesh: \"m.obj\"), \
-             lamella: {{ \"width\": \"30 mm\", \"thickness\": \"3 mm\", \"material\": \"limewood\" }}, \
+             lamella: {{ \"width\": \"30 mm\", \"thickness\": \"3 mm\", \"material\": \"limewood\", {own} }}, \
              {layout})"
         )
     }
@@ -215,8 +286,21 @@ mod tests {
                 *share = at;
             }
             let notation = if ron { Notation::Ron } else { Notation::Toml };
-            let text = layout_text(&project, notation, LengthText::of(Some(units)));
-            let text = if ron { ron_file(units, &text) } else { file(units, &text) };
+            let own = [OwnLamella {
+                patch: "p".to_owned(),
+                width: Some(x.abs() + 0.001),
+                thickness: None,
+                material: Some("limewood".to_owned()),
+            }];
+            let text = layout_text(&project, &own, notation, LengthText::of(Some(units)));
+            let text = if ron {
+                // Fields of a single patch go where those of all are.
+                let (text, own) = text.split_once("// These").expect("lamellae");
+                let own = own.split_once('\n').expect("a line").1;
+                ron_file(units, text, own)
+            } else {
+                file(units, &text)
+            };
             let again = load(&text, notation, "x");
             prop_assert!(again.project.is_some(), "{:?}\n{text}", again.diagnostics);
             let again = again.project.unwrap();
@@ -225,6 +309,9 @@ mod tests {
             prop_assert_eq!(&again.patches[0].corners, &project.patches[0].corners);
             let alpha = again.patches[0].alpha.unwrap() - project.patches[0].alpha.unwrap();
             prop_assert!(alpha.abs() < 1e-11);
+            let lamella = &again.patches[0].lamella;
+            prop_assert_eq!(Some(lamella.width), own[0].width);
+            prop_assert_eq!(Some(&lamella.material), own[0].material.as_ref());
         }
     }
 }

@@ -185,6 +185,8 @@ pub struct Split {
     pub min_side: Option<f64>,
     /// Most patches that splitting may make.
     pub max_patches: Option<u32>,
+    /// Longest side that splitting leaves patches with, metres.
+    pub max_side: Option<f64>,
 }
 
 /// How patches are split.

@@ -48,15 +48,20 @@ pub(super) fn account(
         }
         for (part, measured) in parts {
             let Ok(appraisal) = measured else { continue };
-            if appraisal.feasible(&limits) {
+            if appraisal.settled(&limits) {
                 continue;
             }
+            let stays = if appraisal.feasible(&limits) {
+                "larger than wanted"
+            } else {
+                "infeasible"
+            };
             let why = workshop.stuck.get(&part.name);
             told.push(
                 Diagnostic::warning(
                     codes::LEFT,
                     format!(
-                        "`{}` stays infeasible: {}",
+                        "`{}` stays {stays}: {}",
                         part.name,
                         reason(appraisal, &limits)
                     ),
@@ -97,6 +102,10 @@ fn reason(appraisal: &Appraisal, limits: &Limits) -> String {
              ({:.4}, {:.4}, {:.4}) m, the limit {}",
             at.x, at.y, at.z, limits.eta_max
         );
+    }
+    if let Some(wanted) = limits.max_side.filter(|_| appraisal.feasible(limits)) {
+        let longest = appraisal.lengths.longest();
+        return format!("its longest side is {longest:.4} m, `split.max_side` {wanted} m");
     }
     let Some(angles) = &appraisal.angles else {
         return "its peaks are not covered".to_owned();

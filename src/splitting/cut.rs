@@ -137,7 +137,7 @@ impl Draft {
             .into_iter()
             .enumerate()
             .map(|(i, (corners, members))| DraftPatch {
-                name: part_name(&old, i),
+                name: self.free_name(&part_name(&old, i)),
                 origin: old.origin.clone(),
                 corners,
                 members,
@@ -340,7 +340,8 @@ fn part_name(old: &DraftPatch, i: usize) -> String {
     }
 }
 
-fn stem(name: &str) -> &str {
+/// What names of parts and anchors begin with.
+pub(super) fn stem(name: &str) -> &str {
     // Names are ASCII.
     name.get(..STEM).unwrap_or(name)
 }

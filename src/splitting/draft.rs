@@ -1,9 +1,11 @@
 //! A network of patches that is being split: anchors and patches, which `cut` changes.
 
+use super::cut::stem;
+use super::split::Stuck;
 use crate::layout::Network;
 use crate::project::model::{Anchor, Lamella, Patch, Point};
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// A patch of the draft.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -65,6 +67,46 @@ impl Draft {
             .map(|n| format!("{wanted}-{n}"))
             .find(|name| !taken.contains(name.as_str()))
             .unwrap_or_default()
+    }
+
+    /// A name that no patch has, beginning with a given one.
+    pub(super) fn free_name(&self, wanted: &str) -> String {
+        let taken = |name: &str| self.patches.iter().any(|p| p.name == name);
+        let mut names = std::iter::once(wanted.to_owned())
+            .chain((2..self.patches.len() + 3).map(|n| format!("{wanted}-{n}")));
+        // Of so many names one more than there are patches is free.
+        names.find(|name| !taken(name)).unwrap_or_default()
+    }
+
+    /// Calls the parts of each patch `west-1`, `west-2` in the order of the draft, whatever the parts
+    /// of parts were called on the way; `stuck` is told too.
+    pub(super) fn number_parts(&mut self, stuck: &mut Stuck) {
+        let parts = self.patches.iter().filter(|p| p.name != p.origin);
+        let parts: Vec<(String, String)> =
+            parts.map(|p| (p.name.clone(), p.origin.clone())).collect();
+        let whole = self.patches.iter().filter(|p| p.name == p.origin);
+        let mut taken: BTreeSet<String> = whole.map(|p| p.name.clone()).collect();
+        let mut names = BTreeMap::new();
+        for (part, origin) in parts {
+            let numbers = 1..taken.len() + 2;
+            let mut wanted = numbers.map(|n| format!("{}-{n}", stem(&origin)));
+            // One of so many numbers is free.
+            let name = wanted
+                .find(|name| !taken.contains(name))
+                .unwrap_or_default();
+            taken.insert(name.clone());
+            names.insert(part, name);
+        }
+        let numbered = stuck.iter().map(|(name, refusal)| {
+            let name = names.get(name).unwrap_or(name);
+            (name.clone(), *refusal)
+        });
+        *stuck = numbered.collect();
+        for patch in &mut self.patches {
+            if let Some(name) = names.get(&patch.name) {
+                patch.name.clone_from(name);
+            }
+        }
     }
 
     /// Removes anchors that were added and that no patch has as a corner and no anchor stands on.

@@ -41,8 +41,8 @@ pub(super) fn run(workshop: &mut Workshop<'_>) -> Result<(), NoSplit> {
         workshop.draft.sweep(&workshop.given);
         let measured = workshop.appraise()?;
         let merged = &measured[at..at + merger.merged.len()];
-        let feasible = |m: &Measured| m.as_ref().is_ok_and(|a| a.feasible(&limits));
-        if !merged.iter().all(feasible) || !workshop.weaves(&measured) {
+        let settled = |m: &Measured| m.as_ref().is_ok_and(|a| a.settled(&limits));
+        if !merged.iter().all(settled) || !workshop.weaves(&measured) {
             workshop.draft = before;
             refused.push(key(merger));
         }

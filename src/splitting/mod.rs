@@ -10,15 +10,18 @@
 mod account;
 mod appraise;
 mod automatic;
+mod block;
 mod check;
 mod coverage;
 mod cut;
 mod document;
 mod draft;
 mod feasibility;
+mod growing;
 mod informed;
 mod judge;
 mod merging;
+mod principal;
 mod proposal;
 mod split;
 

@@ -7,6 +7,7 @@ use super::draft::Draft;
 use super::{Proposal, automatic, informed};
 use crate::cladding::Clad;
 use crate::diagnostics::Diagnostic;
+use crate::layout::Domain;
 use crate::project::model::Workflow;
 use crate::surface::{Curvature, SurfaceMesh};
 use serde::{Deserialize, Serialize};
@@ -25,6 +26,8 @@ pub struct SplitLimits {
     pub min_side: Option<f64>,
     /// Most patches that may be made.
     pub max_patches: Option<u32>,
+    /// Longest side that patches are left with, metres.
+    pub max_side: Option<f64>,
 }
 
 /// Where the project sets no limit: far more than any structure that was built, and a bound on the
@@ -80,6 +83,34 @@ impl Workshop<'_> {
             return Err(NoSplit::Cancelled);
         }
         measured.map_err(|_| NoSplit::Unmeasured)
+    }
+
+    /// Measures some patches of a draft that is tried.
+    pub(super) fn measure(
+        &mut self,
+        draft: &Draft,
+        patches: &[usize],
+    ) -> Result<Vec<Measured>, NoSplit> {
+        let measured = self.appraiser.appraise_some(draft, patches);
+        if (self.cancelled)() {
+            return Err(NoSplit::Cancelled);
+        }
+        measured.map_err(|_| NoSplit::Unmeasured)
+    }
+
+    /// Lengths of the sides AB, BC, DC, AD of a patch of a draft that is tried.
+    pub(super) fn sides(&mut self, draft: &Draft, patch: usize) -> Option<[f64; 4]> {
+        self.appraiser.sides(draft, patch)
+    }
+
+    /// The domain of a patch of the draft.
+    pub(super) fn domain(&mut self, patch: usize) -> Option<Domain> {
+        self.appraiser.domain(&self.draft, patch)
+    }
+
+    /// Where a patch stands in the draft.
+    pub(super) fn index(&self, name: &str) -> Option<usize> {
+        self.draft.patches.iter().position(|p| p.name == name)
     }
 
     /// Takes a patch as it is: nothing that is known helps it.
@@ -168,6 +199,7 @@ pub fn split(
             Limits {
                 eta_max: limits.eta_max,
                 slope: limits.slope,
+                max_side: limits.max_side.filter(|_| limits.workflow != Workflow::Off),
             },
             cancelled,
         ),

@@ -1,6 +1,7 @@
 //! Feasibility of patches and their splitting: against closed forms and reference values, and from
 //! end to end with what is said.
 
+mod growth;
 mod measures;
 #[path = "../common/program.rs"]
 mod program;

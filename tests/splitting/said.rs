@@ -23,6 +23,8 @@ fn workshop() -> Workshop {
     shop.write("hill.obj", write_obj(&hill, "a hill"));
     let spike = bumps(&[[0.0, 0.0]], 4.2, 3.0, &grid([11.0, 11.0], [44, 44]));
     shop.write("spike.obj", write_obj(&spike, "a steep hill"));
+    let slope = bumps(&[[-7.0, 0.0]], 3.2, 3.0, &grid([16.0, 7.0], [64, 28]));
+    shop.write("slope.obj", write_obj(&slope, "a hill off the middle"));
     for (name, text) in corpus() {
         shop.write(&name, text);
     }
@@ -90,21 +92,88 @@ fn pasted(shop: &Workshop, name: &str) -> String {
         .find(|(n, _)| n == name)
         .expect("in the corpus");
     let layout = shop.egg(&["split", name]).expect(0).out;
-    let start = text.find("[points]").expect("points");
-    let end = text.find("[lamella]").expect("a lamella");
-    let rest = text[end..].replace("workflow", "# workflow");
-    // A patch with lamellae of its own has parts with lamellae of their own.
-    let rest = rest.replace(
-        "[lamella.south]\nwidth = 0.12",
-        "[lamella.south-1]\nwidth = 0.12\n[lamella.south-2]\nwidth = 0.12",
+    let text = text.replace("workflow", "# workflow");
+    let layout = format!("# the layout\n{layout}# what else there is\n");
+    let mut kept = String::new();
+    for table in text.split_inclusive("\n\n") {
+        let replaced = ["[points]", "[patches.", "[distribution]", "[lamella."];
+        let mut lines = table.lines().filter(|line| !line.starts_with('#'));
+        let named = lines.next().unwrap_or_default();
+        if !replaced.iter().any(|start| named.starts_with(start)) {
+            kept.push_str(table);
+        }
+        if named == "[surface]" {
+            kept.push_str(&layout);
+        }
+    }
+    kept
+}
+
+/// The layout in what `pasted` makes.
+fn layout_of(text: &str) -> &str {
+    let (_, layout) = text.split_once("# the layout\n").expect("a layout");
+    layout.split_once("# what else there is").expect("more").0
+}
+
+#[test]
+fn what_split_prints_is_printed_again_as_it_is() {
+    let shop = workshop();
+    for name in [
+        "automatic.toml",
+        "informed.toml",
+        "junction.toml",
+        "growing.toml",
+    ] {
+        let text = pasted(&shop, name);
+        shop.write("pasted.toml", &text);
+        for workflow in ["automatic", "informed"] {
+            let again = shop
+                .egg(&["split", "pasted.toml", "--workflow", workflow])
+                .expect(0);
+            assert_eq!(again.out, layout_of(&text), "{name} {workflow}");
+        }
+    }
+}
+
+#[test]
+fn parts_have_the_lamellae_of_their_patch_in_both_notations() {
+    let shop = workshop();
+    let text = pasted(&shop, "growing.toml");
+    let layout = layout_of(&text);
+    for part in ["p-1", "p-2"] {
+        let own = format!("[lamella.{part}]\nwidth = 0.12\nmaterial = \"oak\"\n");
+        assert!(layout.contains(&own), "{layout}");
+    }
+    assert!(!layout.contains("[lamella.p]"));
+    // A side that carries weight is now two.
+    assert!(
+        layout.contains("\"a-p-s12\" = 2, \"b-p-s12\" = 2") || layout.contains("\"p-s12-b\" = 2"),
+        "{layout}"
     );
-    format!("{}{layout}\n{rest}", &text[..start])
+}
+
+#[test]
+fn a_support_at_a_crossing_of_a_patch_that_is_split_is_told() {
+    let shop = workshop();
+    let (_, text) = corpus()
+        .into_iter()
+        .find(|(n, _)| n == "automatic.toml")
+        .expect("there");
+    let text = format!("{text}\n[supports]\nat = [\"a\", \"p.u02-v02\"]\n");
+    shop.write("supported.toml", text);
+    let said = shop.egg(&["split", "supported.toml"]);
+    assert!(said.err.contains("`p.u02-v02`"), "{}", said.err);
 }
 
 #[test]
 fn what_split_prints_builds_the_plan_that_the_workflow_builds() {
     let shop = workshop();
-    for name in ["automatic.toml", "informed.toml", "junction.toml"] {
+    for name in [
+        "automatic.toml",
+        "informed.toml",
+        "junction.toml",
+        "growing.toml",
+    ] {
         shop.egg(&["build", name, "--out", "by-workflow"]).expect(0);
         shop.write("pasted.toml", pasted(&shop, name));
         shop.egg(&["build", "pasted.toml", "--out", "by-hand"])
@@ -200,4 +269,61 @@ fn a_patch_that_was_split_is_asked_for_by_its_own_name_and_leaves_its_lamella_to
             .iter()
             .all(|lamella| lamella.thickness == 0.007)
     );
+}
+
+#[test]
+fn keys_that_name_a_split_patch_name_its_parts() {
+    let shop = workshop();
+    let designs = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/corpus/designs");
+    let read = |name: &str| fs::read_to_string(designs.join(name)).expect("a file");
+    shop.write("courtyard.obj", read("wrong/courtyard.obj"));
+    let ring = read("ring-closed.toml").replace("wrong/courtyard", "courtyard");
+    shop.write("ring.toml", &ring);
+    let kept = shop.egg(&["split", "ring.toml"]).expect(0).out;
+    assert!(kept.contains("closed = [\"south.v\"]"), "{kept}");
+    assert_eq!(kept.matches("alpha = 32").count(), 4);
+    shop.write(
+        "ring.toml",
+        ring.replace("[split]", "[split]\nmax_side = 1"),
+    );
+    let halved = shop.egg(&["split", "ring.toml"]).expect(0).out;
+    assert_eq!(halved.matches("[patches.").count(), 8);
+    assert!(
+        halved.contains("closed = [\"south-1.v\", \"south-2.v\"]"),
+        "{halved}"
+    );
+    // Angles were the designer's for the whole patches; parts choose theirs.
+    assert!(!halved.contains("alpha"), "{halved}");
+}
+
+/// One coarse layout of each of the buildings of the paper, which it splits into 4, 16 and 16 patches.
+#[test]
+fn coarse_layouts_of_buildings_become_feasible_with_few_patches() {
+    let shop = Workshop::new();
+    let projects = Path::new(env!("CARGO_MANIFEST_DIR")).join("projects");
+    for (name, most, patches) in [
+        ("great-court", 6, 6),
+        ("lilium-tower", 24, 4),
+        ("yas-hotel", 24, 4),
+    ] {
+        let folder = projects.join(name);
+        let mesh = format!("{name}.obj");
+        for file in ["coarse.toml", &mesh] {
+            shop.write(file, fs::read(folder.join(file)).expect("a file"));
+        }
+        let split = shop.egg(&["split", "coarse.toml"]).expect(0);
+        assert!(!split.err.contains("W0351"), "{}", split.err);
+        let found = split.out.matches("[patches.").count();
+        assert_eq!(found, patches, "{}", split.out);
+        assert!(found <= most);
+        // The buildings are symmetric, and cuts run through their middle.
+        let mut added = split.out.lines().filter(|line| line.contains("-s"));
+        let in_the_middle = |line: &str| !line.contains("on = ") || line.contains("at = 0.5 }");
+        let given = |line: &str| line.starts_with("south-") || line.starts_with("north-");
+        assert!(
+            added.all(|line| in_the_middle(line) || given(line)),
+            "{}",
+            split.out
+        );
+    }
 }

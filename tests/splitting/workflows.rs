@@ -7,22 +7,23 @@ use egg::project::model::{Anchor, Workflow};
 use egg::splitting::{Draft, NoSplit, SplitLimits, split};
 use egg::surface::{Curvature, Mesh};
 
-const LIMITS: SplitLimits = SplitLimits {
+pub(crate) const LIMITS: SplitLimits = SplitLimits {
     workflow: Workflow::Automatic,
     eta_max: 1.0015,
     slope: [0.4, 2.5],
     min_side: None,
     max_patches: None,
+    max_side: None,
 };
 
-fn run(mesh: &Mesh, draft: &Draft, limits: &SplitLimits) -> (Draft, Vec<Diagnostic>) {
+pub(crate) fn run(mesh: &Mesh, draft: &Draft, limits: &SplitLimits) -> (Draft, Vec<Diagnostic>) {
     let surface = surface(mesh);
     let curvature = Curvature::estimate(&surface.mesh);
     let weaves = |_: &Draft, _: &[&Clad]| true;
     split(&surface, &curvature, draft, limits, &weaves, &|| false).expect("a result")
 }
 
-fn codes(told: &[Diagnostic]) -> Vec<&str> {
+pub(crate) fn codes(told: &[Diagnostic]) -> Vec<&str> {
     told.iter().map(|d| d.code.as_str()).collect()
 }
 

@@ -40,6 +40,7 @@ pub(super) fn split(
         slope,
         min_side,
         max_patches,
+        max_side,
     } = project.split;
     let limits = SplitLimits {
         workflow,
@@ -47,6 +48,7 @@ pub(super) fn split(
         slope,
         min_side,
         max_patches,
+        max_side,
     };
     let node = graph.add(
         &SPLIT,

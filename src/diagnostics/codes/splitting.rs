@@ -28,10 +28,11 @@ set `split.workflow` to have them made with every build.",
         name: "split-incomplete",
         title: "splitting leaves an infeasible patch",
         text: "\
-Splitting ended with a patch that violates a criterion, and says why it could not go on: a limit of \
-the project (`split.min_side`, `split.max_patches`), too few members to share among the parts, or a \
-patch that splitting does not help. Loosen the limit, give the strip more members, or move the \
-corners of the patch.",
+Splitting ended with a patch that violates a criterion, or with one that is larger than \
+`split.max_side`, and says why it could not go on: a limit of the project (`split.min_side`, \
+`split.max_patches`), too few members to share among the parts, or a patch that splitting does not \
+help. Loosen the limit, give the strip more members, or move the corners of the \
+patch.",
     },
     CodeInfo {
         code: "W0352",

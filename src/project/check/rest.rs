@@ -34,6 +34,7 @@ pub(super) fn split(file: &ProjectFile, sink: &mut Sink) -> Option<Split> {
             slope: SLOPE,
             min_side: None,
             max_patches: None,
+            max_side: None,
         });
     };
     let slope = match &said.slope {
@@ -62,6 +63,7 @@ pub(super) fn split(file: &ProjectFile, sink: &mut Sink) -> Option<Split> {
         slope: slope?,
         min_side: said.min_side.said()?.map(|length| length.si),
         max_patches: said.max_patches.said()?.map(|count| count.0),
+        max_side: said.max_side.said()?.map(|length| length.si),
     })
 }
 

@@ -235,6 +235,9 @@ pub(crate) struct SplitSection {
     pub(crate) min_side: Option<Field<Length<Extent>>>,
     /// Most patches that splitting may make, 1 to 2000. Default: no limit.
     pub(crate) max_patches: Option<Field<Count<1, 2000>>>,
+    /// Longest side that splitting leaves patches with, a length: how large the designer wants them.
+    /// Default: no limit.
+    pub(crate) max_side: Option<Field<Length<Extent>>>,
 }
 
 section!(SplitSection {
@@ -243,6 +246,7 @@ section!(SplitSection {
     slope,
     min_side,
     max_patches,
+    max_side,
 });
 
 /// Supports of the structure.
