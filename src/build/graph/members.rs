@@ -58,5 +58,5 @@ fn strip_origins<T>(graph: &mut Graph<'_>, node: Node<T>, passage: usize, patch:
     let field = format!("passages[{passage}]");
     graph.origin(node, format!("{field}.count"), format!("{patch}.members"));
     graph.origin(node, format!("{field}.weights"), "distribution.weights");
-    graph.origin(node, field, patch);
+    graph.origin(node, field, patch.to_owned());
 }
