@@ -209,7 +209,7 @@ fn labels_without_room_are_told_and_left_out() {
     for lamella in &mut job.plan.lamellae {
         lamella.width = 0.004;
     }
-    let parts = fabrication::parts(&job.plan, job.inputs());
+    let parts = fabrication::parts(&job.plan, job.inputs().part_style());
     assert_eq!(parts.warnings.len(), job.plan.lamellae.len());
     assert_eq!(parts.warnings[0].code.as_str(), "W0720");
 }
@@ -219,7 +219,7 @@ fn what_a_workshop_objects_to_is_told() {
     let mut job = Job::pavilion();
     let mut text = String::new();
     let mut tell = |name: &str, job: &Job| {
-        let told = match fabrication::check(&job.plan, job.inputs()) {
+        let told = match fabrication::check(&job.plan, &job.inputs().workshop()) {
             Ok(checked) => checked.warnings,
             Err(told) => told,
         };

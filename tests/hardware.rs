@@ -199,7 +199,7 @@ fn wrong_hardware_and_supports_are_explained() {
         diameter: 0.006,
         wall: 0.5e-3,
     });
-    let told = match fabrication::check(&wrong.plan, wrong.inputs()) {
+    let told = match fabrication::check(&wrong.plan, &wrong.inputs().workshop()) {
         Ok(checked) => checked.warnings,
         Err(told) => told,
     };

@@ -13,6 +13,7 @@ use crate::diagnostics::{Diagnostic, Place};
 use serde::de::DeserializeOwned;
 use serde::{Deserialize, Serialize};
 use std::any::Any;
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::fmt;
 use std::sync::Arc;
@@ -53,7 +54,7 @@ pub(super) struct Declared {
     pub(super) work: Arc<dyn Work>,
     pub(super) ports: Ports,
     /// Prefix of an input's field, and the key of the project it comes from.
-    pub(super) origins: Vec<(String, String)>,
+    pub(super) origins: Vec<(Cow<'static, str>, Cow<'static, str>)>,
     /// Fields of the input, and what the user calls them.
     pub(super) names: Vec<(String, String)>,
     pub(super) publishes: bool,
@@ -65,7 +66,7 @@ impl Declared {
         self.origins
             .iter()
             .filter_map(|(prefix, key)| {
-                let below = field.strip_prefix(prefix.as_str())?;
+                let below = field.strip_prefix(&**prefix)?;
                 let whole = below.is_empty() || prefix.is_empty() || below.starts_with(['.', '[']);
                 let dot = if prefix.is_empty() && !below.is_empty() {
                     "."
@@ -150,7 +151,12 @@ impl<'p> Graph<'p> {
 
     /// Says that field `field` of the node's input (and what is below it) comes from `key` of the
     /// project, so that reasons can point at a line of the project file.
-    pub fn origin<T>(&mut self, node: Node<T>, field: impl Into<String>, key: impl Into<String>) {
+    pub fn origin<T>(
+        &mut self,
+        node: Node<T>,
+        field: impl Into<Cow<'static, str>>,
+        key: impl Into<Cow<'static, str>>,
+    ) {
         self.nodes[node.index]
             .origins
             .push((field.into(), key.into()));

@@ -10,9 +10,9 @@ use std::collections::BTreeMap;
 /// A strip: families of patches whose members depend on each other.
 #[derive(Debug)]
 pub(super) struct StripGroup {
-    /// `west.u`: its first passage.
+    /// `west.u`: its first family by name.
     pub(super) name: String,
-    /// Patches, by index, and families.
+    /// Patches, by index, and families; in an order that does not depend on names of patches.
     pub(super) passages: Vec<(usize, Family)>,
     /// What its stages depend on.
     pub(super) input: StripInput,
@@ -32,7 +32,14 @@ pub(super) fn strip_groups(
     patches: &[Patch],
     network: &Network,
 ) -> Vec<StripGroup> {
-    let all: Vec<(usize, Family)> = (0..patches.len())
+    // By corners, and not by name: a strip is the same strip when one of its patches is renamed.
+    let mut order: Vec<usize> = (0..patches.len()).collect();
+    order.sort_by(|&a, &b| {
+        let corners = patches[a].corners.cmp(&patches[b].corners);
+        corners.then_with(|| patches[a].name.cmp(&patches[b].name))
+    });
+    let all: Vec<(usize, Family)> = order
+        .into_iter()
         .flat_map(|i| [(i, Family::U), (i, Family::V)])
         .collect();
     let pieces: Vec<[LinePiece; 2]> = all
@@ -64,7 +71,7 @@ pub(super) fn strip_groups(
         }
         groups.push(group);
     }
-    groups
+    let mut strips: Vec<StripGroup> = groups
         .into_iter()
         .map(|group| {
             let mut lines = BTreeMap::new();
@@ -76,9 +83,12 @@ pub(super) fn strip_groups(
                     passage(distribution, &patches[patch], family, start, end)
                 })
                 .collect();
-            let (patch, family) = all[group[0]];
+            let names = group.iter().map(|&i| {
+                let (patch, family) = all[i];
+                family_target(&patches[patch].name, family)
+            });
             StripGroup {
-                name: family_target(&patches[patch].name, family),
+                name: names.min().unwrap_or_default(),
                 passages: group.iter().map(|&i| all[i]).collect(),
                 input: StripInput {
                     passages,
@@ -92,7 +102,9 @@ pub(super) fn strip_groups(
                 },
             }
         })
-        .collect()
+        .collect();
+    strips.sort_by(|a, b| a.name.cmp(&b.name));
+    strips
 }
 
 /// Lines are numbered within their strip, so that strips elsewhere do not enter its key.

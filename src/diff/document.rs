@@ -247,7 +247,7 @@ pub enum Reading {
 /// An item that changed.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 pub struct ItemChange {
-    /// `hole`, `notch`, `piece`, `crossing`, `part`.
+    /// `hole`, `notch`, `piece`, `crossing`, `family`, `part`.
     pub kind: String,
     /// Its id after, or before if it is gone.
     pub id: String,

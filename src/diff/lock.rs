@@ -130,6 +130,7 @@ fn items_of(kind: Kind) -> &'static str {
         Kind::Lamella => "openings",
         Kind::Sheet => "parts",
         Kind::Patch => "crossings",
+        Kind::Strip => "families",
         _ => "items",
     }
 }
@@ -197,8 +198,8 @@ fn part(line: &str) -> Result<Part, String> {
     let id = words.next().ok_or("a part without an id")?;
     let effect = match kind {
         Kind::Lamella | Kind::Sticker | Kind::Support => Class::Recut,
-        Kind::Patch | Kind::Member | Kind::Point | Kind::BillRow => Class::Reassemble,
-        Kind::Sheet | Kind::Structure => Class::Redraw,
+        Kind::Patch | Kind::Member | Kind::Strip | Kind::Point | Kind::BillRow => Class::Reassemble,
+        Kind::Sheet | Kind::Nesting | Kind::Structure => Class::Redraw,
     };
     let mut fields = Vec::new();
     for word in words {

@@ -27,10 +27,14 @@ pub enum Kind {
     Patch,
     /// A grid curve.
     Member,
+    /// Families that members run through one after the other.
+    Strip,
     /// An anchor.
     Point,
     /// A panel with its parts.
     Sheet,
+    /// What was needed of a material and thickness, and how good that is.
+    Nesting,
     /// A line of the bill of materials.
     BillRow,
     /// The whole.
@@ -39,14 +43,16 @@ pub enum Kind {
 
 impl Kind {
     /// All kinds, in the order in which they are counted.
-    pub const ALL: [Self; 9] = [
+    pub const ALL: [Self; 11] = [
         Self::Lamella,
         Self::Sticker,
         Self::Support,
         Self::Patch,
         Self::Member,
+        Self::Strip,
         Self::Point,
         Self::Sheet,
+        Self::Nesting,
         Self::BillRow,
         Self::Structure,
     ];
@@ -59,8 +65,10 @@ impl Kind {
             Self::Support => "support",
             Self::Patch => "patch",
             Self::Member => "member",
+            Self::Strip => "strip",
             Self::Point => "point",
             Self::Sheet => "sheet",
+            Self::Nesting => "nesting",
             Self::BillRow => "bill-row",
             Self::Structure => "structure",
         }
@@ -74,8 +82,10 @@ impl Kind {
             Self::Support => "supports",
             Self::Patch => "patches",
             Self::Member => "members",
+            Self::Strip => "strips",
             Self::Point => "points",
             Self::Sheet => "sheets",
+            Self::Nesting => "nestings",
             Self::BillRow => "bill rows",
             Self::Structure => "structures",
         }
@@ -164,7 +174,7 @@ impl Field {
 /// A piece of a part with an id of its own.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Item {
-    /// `hole`, `notch`, `part`, `piece`, `crossing`.
+    /// `hole`, `notch`, `part`, `piece`, `crossing`, `family`.
     pub(super) kind: &'static str,
     pub(super) id: String,
     pub(super) fields: Vec<Field>,

@@ -7,12 +7,14 @@
 //!
 //! - points by their place,
 //! - patches by their corners (names, which may have been renamed too, or places),
-//! - members of a patch whose count changed by their ends on the surface.
+//! - members of a patch whose count changed by their ends on the surface,
+//! - strips, which are called after their first family, by any of their families.
 //!
 //! The radius within which a place is the same has nothing to do with the tolerance: a thing that
 //! was renamed and moved is told as both.
 
-use crate::plan::{MemberRecord, PatchRecord, Plan};
+use super::part::Kind;
+use crate::plan::{MemberRecord, PatchRecord, Plan, StripRecord};
 use crate::project::model::Family;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt::Write;
@@ -31,6 +33,8 @@ pub(super) struct Renames {
     /// By the name of the patch before: numbers of members before and after, per family; members
     /// that are gone have none after.
     members: BTreeMap<String, [BTreeMap<u32, Option<u32>>; 2]>,
+    /// Strips that are called after another family.
+    strips: BTreeMap<String, String>,
     /// Patches before, to know which ids start with one.
     known: BTreeSet<String>,
 }
@@ -65,6 +69,7 @@ impl Renames {
                 renames.members.insert(patch.id.clone(), families);
             }
         }
+        renames.detect_strips(before, after);
         renames
     }
 
@@ -74,6 +79,14 @@ impl Renames {
         let patches = patches.map(|(before, after)| ("patch", &**before, &**after));
         let points = self.points.iter();
         patches.chain(points.map(|(before, after)| ("point", &**before, &**after)))
+    }
+
+    /// The id after of a part before; none for a member, or what hangs on it, that is gone.
+    pub(super) fn part(&self, kind: Kind, id: &str) -> Option<String> {
+        match self.strips.get(id) {
+            Some(new) if kind == Kind::Strip => Some(new.clone()),
+            _ => self.id(id),
+        }
     }
 
     /// The id after of an id before; none for a member, or what hangs on it, that is gone.
@@ -126,6 +139,23 @@ impl Renames {
             {
                 let other = new.remove(i);
                 self.points.insert(point.id.clone(), other.id.clone());
+            }
+        }
+    }
+
+    fn detect_strips(&mut self, before: &Plan, after: &Plan) {
+        let mut new: Vec<&StripRecord> = after.strips.iter().collect();
+        for strip in &before.strips {
+            let families: BTreeSet<String> =
+                strip.families.iter().filter_map(|id| self.id(id)).collect();
+            let of_these =
+                |other: &&StripRecord| other.families.iter().any(|f| families.contains(f));
+            let Some(position) = new.iter().position(of_these) else {
+                continue;
+            };
+            let other = new.remove(position);
+            if self.id(&strip.id).as_ref() != Some(&other.id) {
+                self.strips.insert(strip.id.clone(), other.id.clone());
             }
         }
     }
@@ -258,6 +288,7 @@ mod tests {
             patches: BTreeMap::from([("west".to_owned(), "ufer".to_owned())]),
             points: BTreeMap::from([("a".to_owned(), "gate".to_owned())]),
             members: BTreeMap::from([("west".to_owned(), [numbers.into(), BTreeMap::new()])]),
+            strips: BTreeMap::new(),
             known: ["west".to_owned(), "east".to_owned()].into(),
         }
     }
@@ -289,5 +320,32 @@ mod tests {
         assert_eq!(renames.id("west.u04"), None);
         assert_eq!(renames.id("west.u04-v01.v"), None);
         assert_eq!(renames.id("west.v04").as_deref(), Some("ufer.v04"));
+    }
+
+    #[test]
+    fn a_strip_that_is_called_after_another_family_is_the_same_strip() {
+        let plan = |strips: &[&[&str]]| Plan {
+            strips: strips
+                .iter()
+                .map(|families| StripRecord {
+                    id: families[0].to_owned(),
+                    families: families.iter().map(|&family| family.to_owned()).collect(),
+                    evenness_gained: 1.0,
+                    ring: None,
+                })
+                .collect(),
+            ..Plan::default()
+        };
+        let mut renames = inserted();
+        renames.detect_strips(
+            &plan(&[&["east.u"], &["east.v", "west.v"], &["west.u"]]),
+            &plan(&[&["annex.v", "east.v", "ufer.v"], &["east.u"], &["ufer.u"]]),
+        );
+        let strip = |id: &str| renames.part(Kind::Strip, id);
+        assert_eq!(strip("east.v").as_deref(), Some("annex.v"));
+        assert_eq!(strip("east.u").as_deref(), Some("east.u"));
+        assert_eq!(strip("west.u").as_deref(), Some("ufer.u"));
+        // As a family it keeps its name.
+        assert_eq!(renames.id("east.v").as_deref(), Some("east.v"));
     }
 }

@@ -5,12 +5,13 @@
 //! that fall apart.
 
 use super::hardware::Series;
+use super::outputs::{Grains, Workshop};
 use super::part::opening_extent;
 use super::units::MM;
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::plan::LamellaRecord;
-use crate::project::model::{Fabrication, Grain, Hardware, Material};
+use crate::project::model::{Grain, Hardware};
 
 /// Narrowest web that laser shops cut without burning it, millimetres.
 const LEAST_WEB: f64 = 1.0;
@@ -32,19 +33,15 @@ const LARGEST_FOIL: f64 = 0.3;
 
 /// Everything that is objected to, errors among warnings; each cause is told once, at its worst
 /// place.
-pub fn lints(
-    lamellae: &[LamellaRecord],
-    hardware: &Hardware,
-    fabrication: &Fabrication,
-    materials: &[Material],
-) -> Vec<Diagnostic> {
+pub fn lints(lamellae: &[LamellaRecord], workshop: &Workshop) -> Vec<Diagnostic> {
+    let hardware = &workshop.hardware;
     let mut told = webs(lamellae, hardware);
     told.extend(ends(lamellae));
     told.extend(sections(lamellae));
     told.extend(small_holes(lamellae));
     told.extend(washers(lamellae, hardware));
-    told.extend(grain(lamellae, materials));
-    told.extend(spacing(lamellae, fabrication));
+    told.extend(grain(lamellae, &workshop.grains));
+    told.extend(spacing(lamellae, workshop));
     told.extend(foil(lamellae, hardware));
     told
 }
@@ -323,18 +320,18 @@ fn washers(lamellae: &[LamellaRecord], hardware: &Hardware) -> Vec<Diagnostic> {
 }
 
 /// Grain across the lamella: what made the paper's first showcase collapse.
-fn grain(lamellae: &[LamellaRecord], materials: &[Material]) -> Vec<Diagnostic> {
-    materials
+fn grain(lamellae: &[LamellaRecord], grains: &Grains) -> Vec<Diagnostic> {
+    grains
         .iter()
-        .filter(|material| material.grain == Grain::Across)
-        .filter_map(|material| {
-            let first = lamellae.iter().find(|l| l.material == material.name)?;
+        .filter(|(_, grain)| *grain == Grain::Across)
+        .filter_map(|(material, _)| {
+            let first = lamellae.iter().find(|l| l.material == material)?;
             Some(
                 Diagnostic::warning(
                     codes::GRAIN_ACROSS,
-                    format!("the grain of `{}` runs across the lamellae", material.name),
+                    format!("the grain of `{material}` runs across the lamellae"),
                 )
-                .at_key(format!("materials.{}", material.name), "grain across")
+                .at_key(format!("materials.{material}"), "grain across")
                 .help("turn the panel: along the grain wood is about five times as stiff")
                 .about(&first.id),
             )
@@ -343,18 +340,18 @@ fn grain(lamellae: &[LamellaRecord], materials: &[Material]) -> Vec<Diagnostic> 
 }
 
 /// Parts that lie closer than heat and a thin strip of waste allow.
-fn spacing(lamellae: &[LamellaRecord], fabrication: &Fabrication) -> Option<Diagnostic> {
+fn spacing(lamellae: &[LamellaRecord], workshop: &Workshop) -> Option<Diagnostic> {
     let thickest = lamellae
         .iter()
         .map(|lamella| lamella.thickness)
         .fold(0.0, f64::max);
-    let least = (fabrication.kerf + 0.5 * thickest).max(2e-3);
-    (fabrication.spacing < least - 1e-9).then(|| {
+    let least = (workshop.kerf + 0.5 * thickest).max(2e-3);
+    (workshop.spacing < least - 1e-9).then(|| {
         Diagnostic::warning(
             codes::NARROW_SPACING,
             format!(
                 "parts are {:.1} mm apart, {:.1} mm are usual for this sheet",
-                fabrication.spacing * MM,
+                workshop.spacing * MM,
                 least * MM
             ),
         )

@@ -63,7 +63,7 @@ pub mod workbook;
 
 pub use network::NamedQuad;
 pub use outputs::{
-    Inputs, OutputFile, above_files, assembly_file, blanks, check, cladding_files, coupon_files,
-    layout_files, network_files, outputs, overview_files, part_files, parts, sheet_files,
-    sticker_files, support_files, table_files,
+    Grains, Inputs, OutputFile, SheetSettings, Workshop, above_files, assembly_file, blanks, check,
+    cladding_files, coupon_files, layout_files, network_files, outputs, overview_files, part_files,
+    parts, sheet_files, sticker_files, support_files, table_files,
 };

@@ -20,7 +20,8 @@ use super::units::MM;
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::plan::{CrossingRecord, LamellaRecord, MemberRecord, OpeningRecord};
-use crate::project::model::SpliceKind;
+use crate::project::model::{Fabrication, Hardware, SpliceKind};
+use serde::Serialize;
 
 /// Slides below this (millimetres) are cut as round holes: less than any machine repeats.
 pub const LEAST_SLIDE: f64 = 0.01;
@@ -41,7 +42,7 @@ pub struct Part {
 }
 
 /// How parts are drawn. Millimetres.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 pub struct PartStyle {
     /// Width of the cut that is compensated; 0 draws nominal geometry.
     pub kerf: f64,
@@ -49,6 +50,17 @@ pub struct PartStyle {
     pub label_height: f64,
     /// How far a sticker reaches beyond the contact area.
     pub sticker_margin: f64,
+}
+
+impl PartStyle {
+    /// That of a project.
+    pub fn of(hardware: &Hardware, fabrication: &Fabrication) -> Self {
+        Self {
+            kerf: fabrication.kerf * MM,
+            label_height: fabrication.label_height * MM,
+            sticker_margin: hardware.sticker.as_ref().map_or(0.0, |s| s.margin) * MM,
+        }
+    }
 }
 
 /// What a part is made from, besides its lamella: who crosses it where.

@@ -153,7 +153,7 @@ fn hex([r, g, b]: [u8; 3]) -> String {
 }
 
 /// Text without characters that XML forbids.
-fn printable(text: &str) -> String {
+pub(crate) fn printable(text: &str) -> String {
     text.chars()
         .map(|c| if c.is_control() { ' ' } else { c })
         .collect()

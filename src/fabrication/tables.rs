@@ -4,12 +4,13 @@
 use super::hardware::Fastener;
 use super::index::PlanIndex;
 use super::nodes::nodes;
+use super::outputs::Grains;
 use super::part::short_id;
 use super::pieces::{self, End};
 use super::summary::Summary;
 use super::units::MM;
 use crate::plan::{BomRow, CrossingRecord, LamellaRecord, OpeningRecord, Plan};
-use crate::project::model::{Family, Grain, Hardware, Material};
+use crate::project::model::{Family, Grain, Hardware};
 use std::collections::BTreeMap;
 
 /// The structure in a few numbers.
@@ -67,7 +68,7 @@ pub fn bom(rows: &[BomRow]) -> Vec<u8> {
 }
 
 /// One line a part.
-pub fn cut_list(plan: &Plan, materials: &[Material]) -> Vec<u8> {
+pub fn cut_list(plan: &Plan, grains: &Grains) -> Vec<u8> {
     let index = PlanIndex::new(plan);
     let places = places(plan);
     let mut table = Table::new(&[
@@ -97,10 +98,7 @@ pub fn cut_list(plan: &Plan, materials: &[Material]) -> Vec<u8> {
         let Some(member) = index.member(&lamella.member) else {
             continue;
         };
-        let grain = materials
-            .iter()
-            .find(|m| m.name == lamella.material)
-            .map(|m| m.grain);
+        let grain = grains.known(&lamella.material);
         let row = |table: &mut Table, part: &PartRow| {
             let place = places.get(part.id.as_str());
             table.row([

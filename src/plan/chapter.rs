@@ -286,7 +286,7 @@ pub fn strip_chapter(names: &StripNames<'_>, schedule: &Schedule, drift: Option<
     families.sort_unstable();
     Plan {
         strips: vec![StripRecord {
-            id: families[0].clone(),
+            id: families.first().cloned().unwrap_or_default(),
             families,
             evenness_gained: schedule.evenness_gained,
             ring: drift.map(|drift| RingRecord {

@@ -37,7 +37,7 @@ pub(super) fn cover(
     let sides = graph.add(&SIDES, name, (), domain);
     let distances = [Family::U, Family::V].map(|family| {
         let node = graph.add(&DISTANCES, family_target(name, family), family, domain);
-        graph.origin(node, "", &here);
+        graph.origin(node, "", here.clone());
         told.push((name.clone(), node.warnings()));
         node
     });
@@ -58,12 +58,12 @@ pub(super) fn cover(
         width,
     };
     let clad = graph.add(&CLADDING, name, input, ((sides, u, v), angles));
-    graph.origin(clad, "", &here);
+    graph.origin(clad, "", here.clone());
     for (field, key) in [
         ("slope", "split.slope".to_owned()),
         ("width", basis.lamella_key(name, "width")),
     ] {
-        graph.origin(angles, field, &key);
+        graph.origin(angles, field, key.clone());
         graph.origin(clad, field, key);
     }
     graph.origin(angles, "members", format!("{here}.members"));

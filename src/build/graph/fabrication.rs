@@ -2,12 +2,13 @@
 
 use super::{Basis, Told};
 use crate::build::stages::fabrication::{
-    BILL, BillInput, DrawingInput, Foils, NEST, NestInput, SPLICED, SPLICES, STICKERS, SUPPORTS,
-    SupportInput, WORKSHOP,
+    BILL, BillInput, Foils, NEST, NestInput, SPLICED, SPLICES, STICKERS, SUPPORTS, SupportInput,
+    WORKSHOP,
 };
 use crate::build::{Graph, Node};
 use crate::fabrication::nesting::{Nest, Settings};
 use crate::fabrication::splicing::{self, Rules};
+use crate::fabrication::{Grains, Inputs};
 use crate::plan::{BomRow, Plan, SupportRecord};
 use crate::project::model::Project;
 
@@ -31,26 +32,13 @@ pub(super) fn fabricate(
 ) -> Fabricated {
     let project = basis.design.project;
     let chapters = spliced(graph, basis, chapters, told);
-    let workshops: Vec<Node<()>> = basis
-        .patches
-        .iter()
-        .zip(&chapters)
-        .map(|(patch, chapter)| {
-            let workshop = graph.add(&WORKSHOP, &patch.name, drawing_input(project), *chapter);
-            told.push((patch.name.clone(), workshop.warnings()));
-            workshop
-        })
-        .collect();
+    let workshops = workshops(graph, basis, &chapters, told);
     let nest = graph.add(
         &NEST,
         "",
         NestInput {
             settings: Settings::new(&project.fabrication),
-            grains: project
-                .materials
-                .iter()
-                .map(|m| (m.name.clone(), m.grain))
-                .collect(),
+            grains: Grains::of(&project.materials),
         },
         (chapters.clone(), workshops.clone()),
     );
@@ -99,6 +87,41 @@ pub(super) fn fabricate(
     }
 }
 
+/// What a workshop objects to in each chapter.
+fn workshops(
+    graph: &mut Graph<'_>,
+    basis: &Basis<'_>,
+    chapters: &[Node<Plan>],
+    told: &mut Told,
+) -> Vec<Node<()>> {
+    let patches = basis.patches.iter().zip(chapters);
+    patches
+        .map(|(patch, chapter)| {
+            let workshop = inputs(basis.design.project).workshop();
+            let node = graph.add(&WORKSHOP, &patch.name, workshop, *chapter);
+            for (field, key) in [
+                ("hardware", "hardware"),
+                ("kerf", "fabrication.kerf"),
+                ("spacing", "fabrication.spacing"),
+                ("grains", "materials"),
+            ] {
+                graph.origin(node, field, key);
+            }
+            told.push((patch.name.clone(), node.warnings()));
+            node
+        })
+        .collect()
+}
+
+/// What the files of a project depend on, to take a little of it.
+pub(super) fn inputs(project: &Project) -> Inputs<'_> {
+    Inputs {
+        hardware: &project.hardware,
+        fabrication: &project.fabrication,
+        materials: &project.materials,
+    }
+}
+
 /// Chapters with the pieces of lamellae that are longer than the stock, where the project allows
 /// joints.
 fn spliced(
@@ -143,20 +166,4 @@ fn spliced(
         .zip(chapters)
         .map(|(patch, chapter)| graph.add(&SPLICED, &patch.name, (), (chapter, splices)))
         .collect()
-}
-
-/// What drawings depend on. Prices are left out, so that an edit of one draws nothing again.
-pub(super) fn drawing_input(project: &Project) -> DrawingInput {
-    let mut fabrication = project.fabrication.clone();
-    fabrication.stock.price = None;
-    let mut materials = project.materials.clone();
-    for material in &mut materials {
-        material.price = None;
-    }
-    DrawingInput {
-        name: project.name.clone(),
-        hardware: project.hardware.clone(),
-        fabrication,
-        materials,
-    }
 }

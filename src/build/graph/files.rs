@@ -1,16 +1,16 @@
 //! The files of a build: the plan, drawings and tables.
 
 use super::Basis;
-use super::fabrication::{Fabricated, drawing_input};
+use super::fabrication::{Fabricated, inputs};
 use super::layout::edges_of;
 use crate::build::stages::fabrication::{
     ABOVE_FILES, CLADDING_FILES, COUPON_FILES, CouponInput, DrawingInput, LAYOUT_FILES,
-    NETWORK_FILES, NetworkDrawingInput, PART_FILES, PLAN_FILE, SHEET_FILES, STICKER_FILES,
-    SUPPORT_FILES, TABLE_FILES,
+    LayoutInput, NETWORK_FILES, NetworkDrawingInput, PART_FILES, PLAN_FILE, PartInput, SHEET_FILES,
+    STICKER_FILES, SUPPORT_FILES, SheetInput, TABLE_FILES, TableInput,
 };
-use crate::build::{Files, Graph, Needs, Node, Stage};
-use crate::fabrication::NamedQuad;
+use crate::build::{Files, Graph, Node};
 use crate::fabrication::coupon::{self, CouponSection};
+use crate::fabrication::{Grains, NamedQuad};
 use crate::plan::Plan;
 use crate::project::model::Project;
 
@@ -23,18 +23,34 @@ pub(super) fn publish(
     plan: Node<Plan>,
 ) {
     let project = basis.design.project;
+    let inputs = inputs(project);
+    let colours = project.fabrication.colours;
     let plan_file = graph.add(&PLAN_FILE, "", (), plan);
     graph.publish(plan_file);
     for (patch, chapter) in basis.patches.iter().zip(&made.chapters) {
         let plot = graph.add(&CLADDING_FILES, &patch.name, (), *chapter);
         graph.publish(plot);
-        draw(graph, &LAYOUT_FILES, &patch.name, project, *chapter);
-        draw(graph, &PART_FILES, &patch.name, project, *chapter);
+        let input = LayoutInput {
+            name: project.name.clone(),
+            bolt_diameter: project.hardware.bolt.diameter,
+        };
+        let flat = graph.add(&LAYOUT_FILES, &patch.name, input, *chapter);
+        graph.origin(flat, "name", "project.name");
+        graph.origin(flat, "bolt_diameter", "hardware.bolt");
+        graph.publish(flat);
+        let input = PartInput {
+            style: inputs.part_style(),
+            colours,
+        };
+        let parts = graph.add(&PART_FILES, &patch.name, input, *chapter);
+        part_origins(graph, parts, "style");
+        graph.origin(parts, "colours", "fabrication.colours");
+        graph.publish(parts);
     }
     let coupon = graph.add(&COUPON_FILES, "", coupon(project), ());
     graph.origin(coupon, "sections", "lamella");
     graph.origin(coupon, "hardware", "hardware");
-    graph.origin(coupon, "fabrication", "fabrication");
+    graph.origin(coupon, "colours", "fabrication.colours");
     graph.publish(coupon);
     let above = graph.add(
         &ABOVE_FILES,
@@ -59,27 +75,45 @@ pub(super) fn publish(
     let drawn = graph.add(&NETWORK_FILES, "", names, skeleton);
     graph.origin(drawn, "name", "project.name");
     graph.publish(drawn);
+    let input = SheetInput {
+        name: project.name.clone(),
+        settings: inputs.sheets(),
+    };
     let needs = (made.chapters.clone(), made.nest);
-    draw(graph, &SHEET_FILES, "", project, needs);
-    draw(graph, &STICKER_FILES, "", project, made.foils);
+    let sheets = graph.add(&SHEET_FILES, "", input, needs);
+    graph.origin(sheets, "name", "project.name");
+    part_origins(graph, sheets, "settings.parts");
+    graph.origin(sheets, "settings.colours", "fabrication.colours");
+    graph.origin(sheets, "settings.margin", "fabrication.margin");
+    graph.origin(sheets, "settings.grains", "materials");
+    graph.publish(sheets);
+    let stickers = graph.add(&STICKER_FILES, "", drawing_input(project), made.foils);
     let needs = (skeleton, made.chapters.clone(), made.supports);
-    draw(graph, &SUPPORT_FILES, "", project, needs);
-    draw(graph, &TABLE_FILES, "", project, plan);
+    let supports = graph.add(&SUPPORT_FILES, "", drawing_input(project), needs);
+    for node in [stickers, supports] {
+        graph.origin(node, "name", "project.name");
+        graph.origin(node, "colours", "fabrication.colours");
+        graph.publish(node);
+    }
+    let input = TableInput {
+        hardware: project.hardware.clone(),
+        grains: Grains::of(&project.materials),
+    };
+    let tables = graph.add(&TABLE_FILES, "", input, plan);
+    graph.origin(tables, "hardware", "hardware");
+    graph.origin(tables, "grains", "materials");
+    graph.publish(tables);
 }
 
-/// Declares drawings that depend on the settings of the workshop.
-fn draw<N: Needs>(
-    graph: &mut Graph<'_>,
-    stage: &'static Stage<DrawingInput, N, Files>,
-    target: &str,
-    project: &Project,
-    needs: N,
-) {
-    let node = graph.add(stage, target, drawing_input(project), needs);
-    graph.origin(node, "name", "project.name");
-    graph.origin(node, "hardware", "hardware");
-    graph.origin(node, "fabrication", "fabrication");
-    graph.publish(node);
+/// Where the looks of parts come from, below a field of an input.
+fn part_origins(graph: &mut Graph<'_>, node: Node<Files>, style: &str) {
+    for (field, key) in [
+        ("kerf", "fabrication.kerf"),
+        ("label_height", "fabrication.label_height"),
+        ("sticker_margin", "hardware.sticker"),
+    ] {
+        graph.origin(node, format!("{style}.{field}"), key);
+    }
 }
 
 /// What test pieces a project needs.
@@ -96,6 +130,14 @@ fn coupon(project: &Project) -> CouponInput {
     CouponInput {
         sections,
         hardware: project.hardware.clone(),
-        fabrication: project.fabrication.clone(),
+        colours: project.fabrication.colours,
+    }
+}
+
+/// What drawings of foils and supports depend on.
+fn drawing_input(project: &Project) -> DrawingInput {
+    DrawingInput {
+        name: project.name.clone(),
+        colours: project.fabrication.colours,
     }
 }

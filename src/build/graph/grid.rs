@@ -31,10 +31,10 @@ pub(super) fn cross(
     let here = basis.origins.patch_key(name);
     let [u, v] = members;
     let crossings = graph.add(&GRID, name, (), (domain, u, v));
-    graph.origin(crossings, "", &here);
+    graph.origin(crossings, "", here.clone());
     let section = section(basis.design.project, patch);
     let lamellae = graph.add(&LAMELLAE, name, section.clone(), (u, v, crossings));
-    graph.origin(lamellae, "", &here);
+    graph.origin(lamellae, "", here.clone());
     for field in ["width", "thickness"] {
         graph.origin(lamellae, field, basis.lamella_key(name, field));
     }

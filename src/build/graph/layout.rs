@@ -111,7 +111,7 @@ pub(super) fn domain(
     let [first, second, third, fourth] = pieces.map(|piece| lines.line(graph, piece.line));
     let needs = (basis.surface, (first, second, third, fourth));
     let domain = graph.add(&PATCH, &patch.name, PatchInput { corners }, needs);
-    graph.origin(domain, "", &here);
+    graph.origin(domain, "", here.clone());
     graph.origin(domain, "corners", format!("{here}.corners"));
     graph.name(domain, "", &patch.name);
     for (i, corner) in patch.corners.iter().enumerate() {

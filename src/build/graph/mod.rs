@@ -33,13 +33,13 @@
 //! | `chapter` | patch | names, material | the patch's results |
 //! | `splices` | structure | splice, stock, bed, margins, bolt, clearance, grain, stiffness, strength | chapters |
 //! | `spliced` | patch | | `chapter`, `splices` |
-//! | `workshop` | patch | hardware, fabrication, materials | `chapter` |
+//! | `workshop` | patch | hardware, kerf, spacing, grain | `chapter` |
 //! | `nest` | structure | stock, bed, margins, kerf, grain | chapters |
 //! | `stickers` | structure | `hardware.sticker` | chapters |
 //! | `supports` | structure | `supports`, bolt | skeleton, chapters |
 //! | `bill` | structure | hardware, materials, prices | chapters, `nest`, `stickers`, `supports` |
 //! | `plan` | structure | name | skeleton, chapters, `nest`, `stickers`, `supports`, `bill` |
-//! | `*-files` | patch or structure | what the drawings show | chapters and what is drawn |
+//! | `*-files` | patch or structure | what the drawings show, and no more | chapters and what is drawn |
 //!
 //! Patches of rings that shall close have the plans of `closed-cladding`, and the rings the schedules
 //! of `closed-schedule`: what needs `cladding` and `schedule` above then has these.

@@ -86,11 +86,11 @@ pub(super) fn judge(
     let slope = project.split.slope;
     let needs = (basis.surface, basis.curvature, cover.domain, u, v);
     let feasibility = graph.add(&FEASIBILITY, name, FeasibilityInput { slope }, needs);
-    graph.origin(feasibility, "", &here);
+    graph.origin(feasibility, "", here.clone());
     graph.origin(feasibility, "slope", "split.slope");
     let needs = (feasibility, cover.angles, cover.clad.attempt());
     let judgement = graph.add(&JUDGEMENT, name, criteria(project, patch), needs);
-    graph.origin(judgement, "", &here);
+    graph.origin(judgement, "", here.clone());
     graph.origin(judgement, "eta_max", "split.eta_max");
     graph.origin(judgement, "slope", "split.slope");
     told.push((name.clone(), judgement.warnings()));
@@ -133,7 +133,7 @@ pub(super) fn checks(
         let here = basis.origins.patch_key(&patch.name);
         graph.origin(node, "criteria.eta_max", "split.eta_max");
         graph.origin(node, "criteria.slope", "split.slope");
-        graph.origin(node, "", &here);
+        graph.origin(node, "", here.clone());
         nodes.push(node);
     }
     graph.add(&CHECKS, "", (), nodes);

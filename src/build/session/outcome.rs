@@ -182,7 +182,10 @@ impl Session<'_, '_> {
                 continue;
             };
             let old = entry.record;
-            news |= old.is_none_or(|old| old.key != key || old.head != **head);
+            let same = |old: &InstanceRecord| {
+                old.key == key && (Arc::ptr_eq(&old.head, head) || old.head == *head)
+            };
+            news |= !old.is_some_and(same);
             met += usize::from(old.is_some());
             records.push((index, key, head));
         }
@@ -210,7 +213,7 @@ impl Session<'_, '_> {
             all.push(InstanceRecord {
                 instance: (*self.declared(index).instance).clone(),
                 key,
-                head: (**head).clone(),
+                head: head.clone(),
                 changed_by: self.changed_by(index, head),
             });
         }

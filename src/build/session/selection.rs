@@ -13,7 +13,8 @@ impl Session<'_, '_> {
     /// Errors for names of the request that are in vain. Before the graph has unfolded as a whole
     /// nobody can say.
     pub(in crate::build) fn unmatched(&self) -> Vec<Diagnostic> {
-        if !self.graph.unfolds.is_empty() {
+        let names_nothing = self.request.is_whole() && !self.graph.nodes.is_empty();
+        if names_nothing || !self.graph.unfolds.is_empty() {
             return Vec::new();
         }
         let instances = || self.graph.nodes.iter().map(|declared| &declared.instance);

@@ -105,7 +105,7 @@ impl Session<'_, '_> {
             return Found::Whole(head.clone());
         }
         if let Some(record) = self.recorded.get(&key) {
-            return Found::Whole(Arc::new(record.head.clone()));
+            return Found::Whole(record.head.clone());
         }
         match self.store.trace(key) {
             Found::Whole(trace) => Found::Whole(Arc::new(trace.head)),

@@ -6,14 +6,15 @@ use crate::diagnostics::{Checked, Warned};
 use crate::fabrication::bom::{self, Shopping};
 use crate::fabrication::coupon::CouponSection;
 use crate::fabrication::nesting::{Nest, Settings, nest};
+use crate::fabrication::part::PartStyle;
 use crate::fabrication::pieces::blanks;
 use crate::fabrication::splicing::{Rules, Spliced, splice};
 use crate::fabrication::supports::{self, SupportInputs};
-use crate::fabrication::{self as outputs, Inputs, NamedQuad, OutputFile, stickers};
-use crate::plan::{BomRow, Plan, SheetRecord, StickerRecord, SupportRecord, bind, to_ron};
-use crate::project::model::{
-    Bolt, Fabrication, Grain, Hardware, Material, Sticker, Stock, Supports,
+use crate::fabrication::{
+    self as outputs, Grains, NamedQuad, OutputFile, SheetSettings, Workshop, stickers,
 };
+use crate::plan::{BomRow, Plan, SheetRecord, StickerRecord, SupportRecord, bind, to_ron};
+use crate::project::model::{Bolt, ColourPreset, Hardware, Material, Sticker, Stock, Supports};
 use serde::{Deserialize, Serialize};
 
 /// Pieces of lamellae that are longer than the stock.
@@ -44,8 +45,7 @@ pub(in crate::build) const SPLICED: Stage<(), (Node<Plan>, Node<Vec<Spliced>>), 
 #[derive(Debug, Serialize)]
 pub(in crate::build) struct NestInput {
     pub(in crate::build) settings: Settings,
-    /// Grain of the materials, by name.
-    pub(in crate::build) grains: Vec<(String, Grain)>,
+    pub(in crate::build) grains: Grains,
 }
 
 /// Sheets of all lamellae, once no workshop objects to one of them.
@@ -54,12 +54,8 @@ pub(in crate::build) const NEST: Stage<NestInput, (Vec<Node<Plan>>, Vec<Node<()>
     version: 2,
     numerics: Numerics::Portable,
     run: |input, (chapters, _), _| {
-        let grain = |material: &str| {
-            let known = input.grains.iter().find(|(name, _)| name == material);
-            known.map_or(Grain::Along, |(_, grain)| *grain)
-        };
         let lamellae = chapters.iter().flat_map(|chapter| &chapter.lamellae);
-        let blanks = blanks(lamellae, grain);
+        let blanks = blanks(lamellae, |material| input.grains.grain(material));
         outcome(nest(&blanks, &input.settings))
     },
 };
@@ -181,31 +177,12 @@ pub(in crate::build) const PLAN_FILE: Stage<(), Node<Plan>, Files> = Stage {
     run: |(), plan, _| plain(Files::new().with("plan.ron", to_ron(plan))),
 };
 
-/// What drawings depend on besides the plan.
-#[derive(Debug, Serialize)]
-pub(in crate::build) struct DrawingInput {
-    pub(in crate::build) name: String,
-    pub(in crate::build) hardware: Hardware,
-    pub(in crate::build) fabrication: Fabrication,
-    pub(in crate::build) materials: Vec<Material>,
-}
-
-impl DrawingInput {
-    fn inputs(&self) -> Inputs<'_> {
-        Inputs {
-            hardware: &self.hardware,
-            fabrication: &self.fabrication,
-            materials: &self.materials,
-        }
-    }
-}
-
 /// What a workshop would object to in the lamellae of a patch.
-pub(in crate::build) const WORKSHOP: Stage<DrawingInput, Node<Plan>, ()> = Stage {
+pub(in crate::build) const WORKSHOP: Stage<Workshop, Node<Plan>, ()> = Stage {
     name: "workshop",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
-    run: |input, chapter, _| outcome(outputs::check(chapter, input.inputs())),
+    run: |workshop, chapter, _| outcome(outputs::check(chapter, workshop)),
 };
 
 /// The cladding functions of a patch, as a plot and as a document.
@@ -216,14 +193,22 @@ pub(in crate::build) const CLADDING_FILES: Stage<(), Node<Plan>, Files> = Stage 
     run: |(), chapter, _| files(outputs::cladding_files(chapter)),
 };
 
+/// What the flat layout of a patch depends on besides it.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct LayoutInput {
+    /// Of the project.
+    pub(in crate::build) name: String,
+    pub(in crate::build) bolt_diameter: f64,
+}
+
 /// The flat layout of a patch.
-pub(in crate::build) const LAYOUT_FILES: Stage<DrawingInput, Node<Plan>, Files> = Stage {
+pub(in crate::build) const LAYOUT_FILES: Stage<LayoutInput, Node<Plan>, Files> = Stage {
     name: "layout-files",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, chapter, _| {
         let plan = bind(&input.name, std::iter::once(chapter));
-        files(outputs::layout_files(&plan, input.inputs()))
+        files(outputs::layout_files(&plan, input.bolt_diameter))
     },
 };
 
@@ -260,11 +245,19 @@ pub(in crate::build) const NETWORK_FILES: Stage<NetworkDrawingInput, Node<Plan>,
     },
 };
 
+/// What drawings of sheets depend on besides the plan.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct SheetInput {
+    /// Of the project.
+    pub(in crate::build) name: String,
+    pub(in crate::build) settings: SheetSettings,
+}
+
 /// Cut files and overviews of all sheets.
-pub(in crate::build) const SHEET_FILES: Stage<DrawingInput, (Vec<Node<Plan>>, Node<Nest>), Files> =
+pub(in crate::build) const SHEET_FILES: Stage<SheetInput, (Vec<Node<Plan>>, Node<Nest>), Files> =
     Stage {
         name: "sheet-files",
-        version: 3,
+        version: 4,
         numerics: Numerics::Portable,
         run: |input, (chapters, nest), _| {
             let mut plan = bind(&input.name, chapters.into_iter());
@@ -273,7 +266,7 @@ pub(in crate::build) const SHEET_FILES: Stage<DrawingInput, (Vec<Node<Plan>>, No
             let Warned {
                 value: parts,
                 mut warnings,
-            } = outputs::parts(&plan, input.inputs());
+            } = outputs::parts(&plan, input.settings.parts);
             let by_id = parts.iter().map(|part| (part.id.as_str(), part)).collect();
             let mut made = Files::new();
             let mut take = |drawn: Checked<Vec<OutputFile>>| {
@@ -285,19 +278,26 @@ pub(in crate::build) const SHEET_FILES: Stage<DrawingInput, (Vec<Node<Plan>>, No
                 Ok::<(), Failure>(())
             };
             for sheet in &plan.sheets {
-                take(outputs::sheet_files(&plan, sheet, &by_id, input.inputs()))?;
+                take(outputs::sheet_files(&plan, sheet, &by_id, &input.settings))?;
             }
-            take(outputs::overview_files(&plan, &by_id, input.inputs()))?;
+            take(outputs::overview_files(&plan, &by_id, &input.settings))?;
             judged(made, warnings)
         },
     };
 
+/// How single parts are drawn.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct PartInput {
+    pub(in crate::build) style: PartStyle,
+    pub(in crate::build) colours: ColourPreset,
+}
+
 /// Every part of a patch as a file of its own.
-pub(in crate::build) const PART_FILES: Stage<DrawingInput, Node<Plan>, Files> = Stage {
+pub(in crate::build) const PART_FILES: Stage<PartInput, Node<Plan>, Files> = Stage {
     name: "part-files",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
-    run: |input, chapter, _| files(outputs::part_files(chapter, input.inputs())),
+    run: |input, chapter, _| files(outputs::part_files(chapter, input.style, input.colours)),
 };
 
 /// What coupons depend on.
@@ -305,33 +305,41 @@ pub(in crate::build) const PART_FILES: Stage<DrawingInput, Node<Plan>, Files> = 
 pub(in crate::build) struct CouponInput {
     pub(in crate::build) sections: Vec<CouponSection>,
     pub(in crate::build) hardware: Hardware,
-    pub(in crate::build) fabrication: Fabrication,
+    pub(in crate::build) colours: ColourPreset,
 }
 
 /// Test pieces for kerf and fit.
 pub(in crate::build) const COUPON_FILES: Stage<CouponInput, (), Files> = Stage {
     name: "coupon-files",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, (), _| {
-        let inputs = Inputs {
-            hardware: &input.hardware,
-            fabrication: &input.fabrication,
-            materials: &[],
-        };
-        files(outputs::coupon_files(&input.sections, inputs))
+        let CouponInput {
+            sections,
+            hardware,
+            colours,
+        } = input;
+        files(outputs::coupon_files(sections, hardware, *colours))
     },
 };
+
+/// What drawings of foils and supports depend on besides the plan.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct DrawingInput {
+    /// Of the project.
+    pub(in crate::build) name: String,
+    pub(in crate::build) colours: ColourPreset,
+}
 
 /// Cut files of the sheets of foil.
 pub(in crate::build) const STICKER_FILES: Stage<DrawingInput, Node<Foils>, Files> = Stage {
     name: "sticker-files",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, foils, _| {
         let mut plan = bind(&input.name, std::iter::empty());
         equip(&mut plan, foils, &[]);
-        files(outputs::sticker_files(&plan, input.inputs()))
+        files(outputs::sticker_files(&plan, input.colours))
     },
 };
 
@@ -340,23 +348,31 @@ type SupportFilesNeeds = (Node<Plan>, Vec<Node<Plan>>, Node<Vec<SupportRecord>>)
 /// Solids, drawings and the ground plan of the supports.
 pub(in crate::build) const SUPPORT_FILES: Stage<DrawingInput, SupportFilesNeeds, Files> = Stage {
     name: "support-files",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |input, (skeleton, chapters, supports), _| {
         let mut plan = bind(&input.name, std::iter::once(skeleton).chain(chapters));
         equip(&mut plan, &Foils::default(), supports);
-        files(outputs::support_files(&plan, input.inputs()))
+        files(outputs::support_files(&plan, input.colours))
     },
 };
 
+/// What tables depend on besides the plan.
+#[derive(Debug, Serialize)]
+pub(in crate::build) struct TableInput {
+    pub(in crate::build) hardware: Hardware,
+    pub(in crate::build) grains: Grains,
+}
+
 /// The tables and the step list.
-pub(in crate::build) const TABLE_FILES: Stage<DrawingInput, Node<Plan>, Files> = Stage {
+pub(in crate::build) const TABLE_FILES: Stage<TableInput, Node<Plan>, Files> = Stage {
     name: "table-files",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, plan, _| {
-        let mut made = outputs::table_files(plan, input.inputs());
-        made.push(outputs::assembly_file(plan, input.inputs()));
+        let TableInput { hardware, grains } = input;
+        let mut made = outputs::table_files(plan, hardware, grains);
+        made.push(outputs::assembly_file(plan, hardware));
         files(Ok(Warned {
             value: made,
             warnings: Vec::new(),

@@ -16,6 +16,7 @@ use serde::{Deserialize, Serialize};
 use std::fs::File;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 use std::time::SystemTime;
 
 const WORKTREE: Magic = Magic(*b"eggtree1");
@@ -38,7 +39,8 @@ pub(crate) struct Worktree {
 pub(crate) struct InstanceRecord {
     pub(crate) instance: Instance,
     pub(crate) key: Digest,
-    pub(crate) head: Head,
+    /// Shared with the pass that finds it here.
+    pub(crate) head: Arc<Head>,
     /// Why its result last became another one.
     pub(crate) changed_by: Vec<Reason>,
 }

@@ -9,23 +9,39 @@ use crate::cli::exit::Exit;
 use crate::cli::run::Job;
 use crate::fabrication::sheet::trim;
 use crate::fabrication::units::MM;
+use crate::plan::NestingRecord;
 use serde::Serialize;
 use std::path::Path;
 use std::time::Instant;
 
+/// Compiles, and ends: nothing may come after it.
 pub(in crate::cli) fn run(
     console: Console,
     global: &Global,
     file: Option<&Path>,
     request: &Request,
 ) -> Result<Exit, Exit> {
+    let (exit, made) = compile(console, global, file, request)?;
+    // The system takes the memory of a process back at once; piece by piece it takes longer than
+    // reading the record of the last build.
+    std::mem::forget(made);
+    Ok(exit)
+}
+
+/// Compiles; what it was made of comes with the verdict.
+pub(super) fn compile(
+    console: Console,
+    global: &Global,
+    file: Option<&Path>,
+    request: &Request,
+) -> Result<(Exit, (Job, Built)), Exit> {
     let begin = Instant::now();
     let opened = Opened::open(console, file)?;
     let mut job = Job::prepare(console, global, opened)?;
     let built = job.build(request, Extent::Files)?;
     let exit = Job::verdict(&built);
     finished(console, &job, &built, begin);
-    Ok(exit)
+    Ok((exit, (job, built)))
 }
 
 /// What `--only`, `--stage` and `--force` ask for.
@@ -103,15 +119,7 @@ fn nested(console: Console, built: &Built) {
     for group in &plan.nesting {
         console.record(&Nested {
             reason: "nested",
-            material: &group.material,
-            thickness: group.thickness,
-            sheets: group.sheets,
-            sheets_bound: group.sheets_bound,
-            rows: group.rows,
-            rows_bound: group.rows_bound,
-            panels: group.panels,
-            yield_share: group.yield_share,
-            yield_bound: group.yield_bound,
+            group,
         });
         console.status(
             "Nested",
@@ -131,15 +139,8 @@ fn nested(console: Console, built: &Built) {
 #[derive(Serialize)]
 struct Nested<'a> {
     reason: &'static str,
-    material: &'a str,
-    thickness: f64,
-    sheets: u32,
-    sheets_bound: u32,
-    rows: u32,
-    rows_bound: u32,
-    panels: u32,
-    yield_share: f64,
-    yield_bound: f64,
+    #[serde(flatten)]
+    group: &'a NestingRecord,
 }
 
 fn counted(count: usize, what: &str) -> String {

@@ -26,12 +26,18 @@ pub(in crate::cli) fn run(console: Console, folder: &Path) -> Result<Exit, Exit>
                 openings: agreement.openings,
                 pairs: agreement.pairs,
                 rows: agreement.rows,
+                solids: agreement.solids,
             });
+            let solids = match agreement.solids {
+                0 => String::new(),
+                1 => ", 1 printed support".to_owned(),
+                several => format!(", {several} printed supports"),
+            };
             console.status(
                 "Verified",
                 &format!(
                     "{}: {} parts with {} openings in {} cut files, {} pairs of drawings, \
-                     {} rows of tables",
+                     {} rows of tables{solids}",
                     agreement.name,
                     agreement.parts,
                     agreement.openings,
@@ -64,6 +70,7 @@ struct Verified<'a> {
     openings: usize,
     pairs: usize,
     rows: usize,
+    solids: usize,
 }
 
 /// All files below a folder. Links are not followed: what they lead to is not of the build.

@@ -29,7 +29,7 @@ pub(in crate::cli) fn run(
         // Listening begins before the build, so that a save during it is not missed.
         let listener = Listener::new(console, &path)?;
         // What is wrong with the project has been told; the next save may mend it.
-        let ended = build::run(console, global, Some(&path), request);
+        let ended = build::compile(console, global, Some(&path), request).map(|_| ());
         if ended == Err(Exit::Interrupted) || cancel.is_cancelled() {
             return Ok(Exit::Interrupted);
         }

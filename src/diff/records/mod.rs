@@ -7,20 +7,23 @@ mod bill;
 mod cut;
 mod layout;
 mod sheets;
+mod strips;
 
 use super::part::{Part, by_number};
 use crate::plan::Plan;
 
 /// Every function that makes parts of a plan's records.
-const RECORDS: [fn(&Plan) -> Vec<Part>; 9] = [
+const RECORDS: [fn(&Plan) -> Vec<Part>; 11] = [
     cut::lamellae,
     cut::stickers,
     cut::supports,
     layout::patches,
     layout::members,
+    strips::strips,
     layout::points,
     layout::structure,
     sheets::sheets,
+    sheets::nestings,
     bill::rows,
 ];
 

@@ -1,8 +1,8 @@
-//! Panels and sheets of foil, and where parts lie on them.
+//! Panels and sheets of foil, where parts lie on them, and how good that is.
 
 use crate::diff::class::Class::Redraw;
 use crate::diff::part::{Field, Item, Kind, Part};
-use crate::diff::quantity::Quantity;
+use crate::diff::quantity::{Quantity, number};
 use crate::plan::Plan;
 
 pub(super) fn sheets(plan: &Plan) -> Vec<Part> {
@@ -32,6 +32,36 @@ pub(super) fn sheets(plan: &Plan) -> Vec<Part> {
                 })
                 .collect(),
             presence: Redraw,
+        })
+        .collect()
+}
+
+pub(super) fn nestings(plan: &Plan) -> Vec<Part> {
+    plan.nesting
+        .iter()
+        .map(|record| {
+            let thickness = Quantity::Length.shown(record.thickness);
+            let count = |name, count: u32| Field::count(name, Redraw, count as usize);
+            let share = |name, share| Field::number(name, Redraw, share, Quantity::Share);
+            Part {
+                kind: Kind::Nesting,
+                id: format!(
+                    "{}-{}mm",
+                    record.material,
+                    number(thickness, Quantity::Length)
+                ),
+                fields: vec![
+                    count("panels", record.panels).headline(),
+                    count("sheets", record.sheets).headline(),
+                    count("sheets at least", record.sheets_bound),
+                    count("rows", record.rows),
+                    count("rows at least", record.rows_bound),
+                    share("yield", record.yield_share),
+                    share("yield at most", record.yield_bound),
+                ],
+                items: Vec::new(),
+                presence: Redraw,
+            }
         })
         .collect()
 }

@@ -6,7 +6,7 @@ use super::picture;
 use super::words::{Form, hidden, phrases, project, ranges, side, total, verdict};
 use crate::diff::class::Class;
 use crate::diff::document::{Change, Difference};
-use crate::fabrication::svg::number;
+use crate::fabrication::svg::{number, printable};
 use std::fmt::Write;
 
 const ARROW: &str = "→";
@@ -187,12 +187,6 @@ fn escaped(text: &str) -> String {
         }
     }
     out
-}
-
-fn printable(text: &str) -> String {
-    text.chars()
-        .map(|c| if c.is_control() { ' ' } else { c })
-        .collect()
 }
 
 #[cfg(test)]

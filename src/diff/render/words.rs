@@ -256,6 +256,7 @@ pub(super) fn several(count: usize, kind: &str) -> String {
         (_, "notch") => format!("{count} notches"),
         (_, "patch") => format!("{count} patches"),
         (_, "lamella") => format!("{count} lamellae"),
+        (_, "family") => format!("{count} families"),
         _ => format!("{count} {kind}s"),
     }
 }

@@ -9,6 +9,7 @@
 //! | cut files, one a sheet or window | outlines of all parts at their places, every opening ([`sheets`]) |
 //! | `parts/*.dxf` | outline and openings of the part |
 //! | every SVG beside a DXF | the same curves on the same layers to a thousandth of a millimetre ([`curves`]) |
+//! | STL and 3MF of printed supports | closed bodies, their height, foot and volume ([`solids`]) |
 //! | `cutlist.csv`, `crossings.csv`, `bom.csv` | ids, counts and lengths ([`tables`]) |
 //!
 //! Pure functions over bytes: who reads folders is the command line.
@@ -17,6 +18,7 @@ mod curves;
 mod dxf;
 mod expected;
 mod sheets;
+mod solids;
 mod svg;
 mod tables;
 
@@ -43,6 +45,8 @@ pub struct Agreement {
     pub pairs: usize,
     /// Rows of tables.
     pub rows: usize,
+    /// Printed supports.
+    pub solids: usize,
 }
 
 /// Compares the files of a build with its plan. All differences are told.
@@ -58,6 +62,7 @@ pub fn verify(folder: &Folder) -> Result<Agreement, Vec<Diagnostic>> {
     sheets::check_parts(&plan, folder, &drawings, &mut findings);
     curves::check_pairs(&drawings, &mut agreement, &mut findings);
     tables::check(&plan, folder, &mut agreement, &mut findings);
+    solids::check(&plan, folder, &mut agreement, &mut findings);
     if findings.0.is_empty() {
         Ok(agreement)
     } else {

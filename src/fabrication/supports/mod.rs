@@ -18,21 +18,26 @@
 //!
 //! Metres, kilograms, newtons; z up.
 
+mod body;
 pub mod drawing;
 mod places;
+mod remarks;
 pub mod setting_out;
 pub mod solid;
 mod table;
 
+pub use body::wedge_middle;
 pub use table::{kind_word, table};
 
 use super::hardware::Series;
 use super::units::MM;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Severity, Warned};
-use crate::plan::{MemberRecord, Plan, SupportBody, SupportRecord};
+use crate::plan::{MemberRecord, Plan, SupportRecord};
 use crate::project::model::{Bolt, SupportKind, Supports};
+use body::body;
 use places::{Place, places};
+use remarks::{below_ground, warnings};
 
 /// kg/m^3: plain concrete.
 pub const CONCRETE: f64 = 2400.0;
@@ -47,22 +52,6 @@ pub const GRAVITY: f64 = 9.81;
 const ENGAGEMENT: f64 = 2.5;
 /// What the hole is deeper than the bolt reaches, metres.
 const TIP: f64 = 2e-3;
-/// Contact face of a printed foot and of a wedge in widths of the widest lamella.
-const PAD: f64 = 1.5;
-/// Foot of a printed support in diameters of its contact face.
-const PRINTED_FOOT: f64 = 1.4;
-/// Least foot of a support in heights of its contact face: it tips at a quarter of its weight.
-const FOOT_OF_HEIGHT: f64 = 0.5;
-/// Least side of a block in widths of the widest lamella.
-const BLOCK: f64 = 3.0;
-/// Least plastic around a hole and below it, metres.
-const WALL: f64 = 2e-3;
-/// Least height of the lower rim of a printed contact face, metres.
-const BASE: f64 = 3e-3;
-/// Least height of the lower edge of a block, metres: less breaks off.
-const LOW_EDGE: f64 = 30e-3;
-/// Least concrete below a cast-in sleeve, metres.
-const COVER: f64 = 20e-3;
 /// Height of the thin edge of a wedge, metres.
 pub const WEDGE_EDGE: f64 = 5e-3;
 
@@ -71,10 +60,6 @@ const CLEAR: f64 = 20e-3;
 
 /// Steeper contact faces need a bracket, not a foot, degrees.
 pub const STEEPEST: f64 = 70.0;
-/// What common printers print, metres.
-const PRINTER: f64 = 0.25;
-/// What one person carries, kilograms.
-const CARRIED: f64 = 25.0;
 
 /// What supports depend on besides the plan.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -182,45 +167,6 @@ fn face<'a>(place: Place<'a>, series: &Series, bolt: &Bolt) -> Result<Face<'a>, 
     })
 }
 
-impl Face<'_> {
-    fn is_steep(&self) -> bool {
-        self.tilt.to_degrees() > STEEPEST
-    }
-
-    fn pad(&self, kind: SupportKind) -> f64 {
-        match kind {
-            SupportKind::Printed | SupportKind::WedgeOnBlock => PAD * self.place.width,
-            SupportKind::ConcreteBlock => BLOCK * self.place.width,
-        }
-    }
-
-    /// Least height of the middle of the contact face above the ground.
-    fn least_height(&self, kind: SupportKind) -> f64 {
-        let (sin, cos) = libm::sincos(self.tilt);
-        let tan = sin / cos;
-        let pad = self.pad(kind);
-        match kind {
-            SupportKind::Printed => {
-                let rim = 0.5 * pad * sin + BASE;
-                let hole = self.depth * cos + 0.5 * self.bore * sin + WALL;
-                rim.max(hole)
-            }
-            SupportKind::ConcreteBlock => {
-                // The side is that of the lamellae, or grows with the height.
-                let narrow = 0.5 * pad * tan + LOW_EDGE;
-                let wide = LOW_EDGE / (1.0 - 0.5 * FOOT_OF_HEIGHT * tan);
-                narrow.max(wide).max(self.depth * cos + COVER)
-            }
-            SupportKind::WedgeOnBlock => wedge_middle(pad, self.tilt) + LOW_EDGE,
-        }
-    }
-}
-
-/// Height of a wedge at its middle.
-pub fn wedge_middle(pad: f64, tilt: f64) -> f64 {
-    WEDGE_EDGE + 0.5 * pad * libm::tan(tilt)
-}
-
 /// The thinnest sheet of a plan, metres: wedges are glued from its offcuts.
 pub fn thinnest_sheet(plan: &Plan) -> Option<f64> {
     let thickness = plan.lamellae.iter().map(|lamella| lamella.thickness);
@@ -310,147 +256,6 @@ fn record(face: &Face<'_>, kind: SupportKind, ground: f64) -> SupportRecord {
     }
 }
 
-fn body(face: &Face<'_>, kind: SupportKind, height: f64) -> SupportBody {
-    let pad = face.pad(kind);
-    let mut body = SupportBody {
-        pad,
-        foot: 0.0,
-        bore: face.bore,
-        depth: face.depth,
-        block: height,
-        volume: 0.0,
-        mass: 0.0,
-        tipping_thrust: 0.0,
-    };
-    // Where the weight acts, from the middle of the foot towards the higher edge.
-    let mut lever = 0.0;
-    match kind {
-        SupportKind::Printed => {
-            body.foot = (PRINTED_FOOT * pad)
-                .max(FOOT_OF_HEIGHT * height)
-                .max(2.0 * radius_around_hole(face, pad, height));
-            let solid = solid::printed(&body, face.tilt, face.azimuth);
-            let (volume, centre) = solid.volume_and_centre();
-            body.volume = volume / (MM * MM * MM);
-            body.mass = body.volume * FILAMENT;
-            lever = libm::hypot(centre[0], centre[1]) / MM;
-        }
-        SupportKind::ConcreteBlock => {
-            body.foot = block_side(face, height);
-            body.pad = body.foot;
-            body.volume = body.foot * body.foot * height;
-            body.mass = body.volume * CONCRETE;
-            // The centre of an obliquely cut prism.
-            lever = body.foot * body.foot * libm::tan(face.tilt) / (12.0 * height);
-        }
-        SupportKind::WedgeOnBlock => {
-            body.foot = block_side(face, height);
-            body.block = height - wedge_middle(pad, face.tilt);
-            body.volume = body.foot * body.foot * body.block;
-            body.mass = body.volume * CONCRETE;
-        }
-    }
-    body.tipping_thrust = body.mass * GRAVITY * (0.5 * body.foot - lever).max(0.0) / height;
-    body
-}
-
-/// A side that carries the lamellae and is broad for its height, to the next centimetre.
-fn block_side(face: &Face<'_>, height: f64) -> f64 {
-    let least = (BLOCK * face.place.width).max(FOOT_OF_HEIGHT * height);
-    // A side that a tall block does not need must not dig its lower edge into the ground.
-    let rounded = libm::ceil(least * 100.0 - 1e-6) / 100.0;
-    let lower_edge = height - 0.5 * rounded * libm::tan(face.tilt);
-    if lower_edge < LOW_EDGE {
-        least
-    } else {
-        rounded
-    }
-}
-
-/// Radius of the foot with which the wall of a printed support stays around the end of the hole,
-/// which leans towards the higher side.
-fn radius_around_hole(face: &Face<'_>, pad: f64, height: f64) -> f64 {
-    let (sin, cos) = libm::sincos(face.tilt);
-    let reach = face.depth * sin + 0.5 * face.bore * cos + WALL;
-    let level = height - face.depth * cos;
-    // The wall runs straight from the foot to the highest point of the contact face.
-    let top = height + 0.5 * pad * sin;
-    let share = (level / top).clamp(0.0, 0.95);
-    (reach - share * 0.5 * pad * cos) / (1.0 - share)
-}
-
-fn warnings(records: &[SupportRecord]) -> Vec<Diagnostic> {
-    let mut told = Vec::new();
-    let group = |bad: &dyn Fn(&SupportRecord) -> bool| -> Option<(&SupportRecord, String)> {
-        let mut found = records.iter().filter(|record| bad(record));
-        let first = found.next()?;
-        let others = match found.count() {
-            0 => String::new(),
-            1 => " and at another".to_owned(),
-            n => format!(" and at {n} others"),
-        };
-        Some((first, others))
-    };
-    if let Some((steep, others)) = group(&|record| record.body.is_none()) {
-        told.push(
-            Diagnostic::warning(
-                codes::SUPPORT_STEEP,
-                format!(
-                    "at `{}`{others} the contact face stands at {:.0} degrees: no foot is made",
-                    steep.at, steep.tilt
-                ),
-            )
-            .at_key("supports", "too steep for a foot")
-            .help("bolt it to a wall or a post; place and normal stand in supports.csv")
-            .about(&steep.at),
-        );
-    }
-    let size = |record: &SupportRecord| {
-        record.body.map_or(0.0, |body| {
-            let rise = 0.5 * body.pad * libm::sin(record.tilt.to_radians());
-            body.foot.max(record.height + rise)
-        })
-    };
-    let printed = |record: &SupportRecord| record.kind == SupportKind::Printed;
-    if let Some((large, others)) = group(&|r| printed(r) && size(r) > PRINTER) {
-        told.push(
-            Diagnostic::warning(
-                codes::SUPPORT_LARGE,
-                format!(
-                    "the printed support at `{}`{others} is {:.0} mm large, common printers end \
-                     at {:.0} mm",
-                    large.at,
-                    size(large) * MM,
-                    PRINTER * MM
-                ),
-            )
-            .at_key("supports.kind", "too large to print")
-            .help("`kind = \"wedge-on-block\"`, or a post with a short printed head on it")
-            .about(&large.at),
-        );
-    }
-    let mass = |record: &SupportRecord| record.body.map_or(0.0, |body| body.mass);
-    if let Some((heavy, others)) = group(&|r| mass(r) > CARRIED) {
-        told.push(
-            Diagnostic::warning(
-                codes::SUPPORT_HEAVY,
-                format!(
-                    "the support at `{}`{others} weighs {:.0} kg, one person carries {CARRIED:.0}",
-                    heavy.at,
-                    mass(heavy)
-                ),
-            )
-            .at_key("supports.kind", "heavy")
-            .note(format!(
-                "its contact face is {:.0} mm above the ground",
-                heavy.height * MM
-            ))
-            .about(&heavy.at),
-        );
-    }
-    told
-}
-
 /// The lowest member and how high its lowest point is.
 fn lowest_member(plan: &Plan) -> Option<(&MemberRecord, f64)> {
     let points = |member: &'_ MemberRecord| -> Option<f64> {
@@ -461,31 +266,6 @@ fn lowest_member(plan: &Plan) -> Option<(&MemberRecord, f64)> {
     members
         .filter_map(|member| Some((member, points(member)?)))
         .min_by(|a, b| a.1.total_cmp(&b.1))
-}
-
-/// The lowest point of the members if it lies below the ground.
-fn below_ground(plan: &Plan, ground: f64, records: &[SupportRecord]) -> Option<Diagnostic> {
-    if records.iter().all(|record| record.body.is_none()) {
-        return None;
-    }
-    let (member, lowest) = lowest_member(plan)?;
-    let depth = ground - lowest;
-    (depth > 1e-9).then(|| {
-        Diagnostic::warning(
-            codes::GRID_BELOW_GROUND,
-            format!(
-                "the grid dips {:.0} mm below the level ground, on `{}`",
-                libm::ceil(depth * MM),
-                member.id
-            ),
-        )
-        .at_key("supports.height", "too low for the grid")
-        .help(format!(
-            "raise the supports by {:.0} mm, or support the structure where it is lowest",
-            libm::ceil(depth * MM)
-        ))
-        .about(&member.id)
-    })
 }
 
 #[cfg(test)]

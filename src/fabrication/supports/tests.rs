@@ -1,3 +1,4 @@
+use super::body::{LOW_EDGE, WALL};
 use super::*;
 use crate::plan::{
     CrossingRecord, LamellaRecord, MemberRecord, OpeningRecord, PointRecord, Positions,

@@ -1,13 +1,20 @@
 //! From the parts of two sides to what changed.
 
+mod told;
+mod used_on;
+mod weight;
+
 use super::class::Class;
-use super::document::{Action, Change, Count, FieldChange, Hidden, ItemChange, Reading};
+use super::document::{Action, Change, Count, FieldChange, Hidden, ItemChange};
 use super::part::{Field, Item, Kind, Part, Value, by_number};
 use super::quantity::Quantity;
 use super::renames::{Renames, distance};
 use super::tolerance::Tolerances;
 use std::cmp::Reverse;
 use std::collections::BTreeMap;
+use told::{field_change, item_change};
+use used_on::note_sheets;
+use weight::{Judged, Moved, Weight};
 
 /// What comparing parts gives.
 #[derive(Debug, Default)]
@@ -34,7 +41,7 @@ pub(super) fn compare(
     let mut old: BTreeMap<(Kind, String), &Part> = BTreeMap::new();
     let mut changes: Vec<(Reverse<Weight>, Change)> = Vec::new();
     for part in before {
-        match renames.id(&part.id) {
+        match renames.part(part.kind, &part.id) {
             Some(id) => {
                 old.insert((part.kind, id), part);
             }
@@ -62,41 +69,6 @@ pub(super) fn compare(
         changes,
         counts: comparison.counts.into_values().collect(),
         hidden: comparison.hidden.into_values().collect(),
-    }
-}
-
-/// Class, then whether it is a point (what a user moved comes before what follows from that), then
-/// how many tolerances the worst value is away.
-#[derive(Debug, Clone, Copy, PartialEq)]
-struct Weight {
-    class: Class,
-    is_point: bool,
-    ratio: f64,
-}
-
-impl Weight {
-    fn new(kind: Kind, class: Class, ratio: f64) -> Reverse<Self> {
-        Reverse(Self {
-            class,
-            is_point: kind == Kind::Point,
-            ratio,
-        })
-    }
-}
-
-impl Eq for Weight {}
-
-impl PartialOrd for Weight {
-    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
-        Some(self.cmp(other))
-    }
-}
-
-impl Ord for Weight {
-    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
-        (self.class, self.is_point)
-            .cmp(&(other.class, other.is_point))
-            .then(self.ratio.total_cmp(&other.ratio))
     }
 }
 
@@ -357,127 +329,6 @@ impl Comparison<'_> {
     }
 }
 
-/// How far a value is from where it was.
-struct Moved {
-    delta: Option<f64>,
-    quantity: Option<Quantity>,
-    /// In tolerances.
-    ratio: f64,
-}
-
-/// The worst of several values.
-#[derive(Debug, Default)]
-struct Judged {
-    class: Option<Class>,
-    ratio: f64,
-}
-
-impl Judged {
-    fn raise(&mut self, class: Class, ratio: f64) {
-        match self.class {
-            Some(worst) if worst > class => {}
-            Some(worst) if worst == class => self.ratio = self.ratio.max(ratio),
-            _ => {
-                self.class = Some(class);
-                self.ratio = ratio;
-            }
-        }
-    }
-}
-
 fn is_opening(item: &Item) -> bool {
     matches!(item.kind, "hole" | "notch")
-}
-
-fn item_change(item: &Item, action: Action, fields: Vec<FieldChange>) -> ItemChange {
-    ItemChange {
-        kind: item.kind.to_owned(),
-        id: item.id.clone(),
-        action,
-        fields,
-    }
-}
-
-fn field_change(
-    before: Option<&Field>,
-    after: Option<&Field>,
-    delta: Option<f64>,
-    class: Class,
-) -> FieldChange {
-    let quantity = [after, before].into_iter().flatten().find_map(quantity_of);
-    FieldChange {
-        name: after.or(before).map_or("", |field| &field.name).to_owned(),
-        before: before.and_then(reading),
-        after: after.and_then(reading),
-        delta: delta
-            .zip(quantity)
-            .map(|(delta, quantity)| quantity.shown(delta)),
-        quantity,
-        unit: quantity.map_or("", Quantity::unit).to_owned(),
-        class,
-    }
-}
-
-fn quantity_of(field: &Field) -> Option<Quantity> {
-    match field.value {
-        Value::Number(_, quantity) => Some(quantity),
-        Value::Place(_) | Value::Curve(_) => Some(Quantity::Length),
-        Value::Text(_) | Value::Id(_) => None,
-    }
-}
-
-fn reading(field: &Field) -> Option<Reading> {
-    match &field.value {
-        Value::Number(value, quantity) => Some(Reading::Number(quantity.shown(*value))),
-        Value::Text(text) | Value::Id(text) => Some(Reading::Text(text.clone())),
-        Value::Place(_) | Value::Curve(_) => None,
-    }
-}
-
-/// Says on which sheets changed lamellae and their pieces lie.
-fn note_sheets(changes: &mut [Change], before: &[Part], after: &[Part]) {
-    let sheets = |parts: &[Part]| {
-        let mut places: BTreeMap<String, Vec<String>> = BTreeMap::new();
-        for sheet in parts.iter().filter(|part| part.kind == Kind::Sheet) {
-            for item in &sheet.items {
-                places
-                    .entry(item.id.clone())
-                    .or_default()
-                    .push(sheet.id.clone());
-            }
-        }
-        places
-    };
-    let pieces = |parts: &[Part]| -> BTreeMap<String, Vec<String>> {
-        let lamellae = parts.iter().filter(|part| part.kind == Kind::Lamella);
-        lamellae
-            .map(|part| {
-                let pieces = part.items.iter().filter(|item| item.kind == "piece");
-                let pieces: Vec<String> = pieces.map(|item| item.id.clone()).collect();
-                (part.id.clone(), pieces)
-            })
-            .filter(|(_, pieces)| !pieces.is_empty())
-            .collect()
-    };
-    let sides = [before, after].map(|parts| (sheets(parts), pieces(parts)));
-    for change in changes
-        .iter_mut()
-        .filter(|change| change.kind == Kind::Lamella)
-    {
-        let (sheets, pieces) = match change.action {
-            Action::Removed => &sides[0],
-            _ => &sides[1],
-        };
-        let whole = std::slice::from_ref(&change.id);
-        let parts = pieces.get(&change.id).map_or(whole, Vec::as_slice);
-        let mut used: Vec<String> = parts
-            .iter()
-            .filter_map(|part| sheets.get(part))
-            .flatten()
-            .cloned()
-            .collect();
-        used.sort();
-        used.dedup();
-        change.used_on = used;
-    }
 }
