@@ -129,7 +129,7 @@ fn clad(
     let [u, v] = cover.distances;
     let needs = (cover.sides, u, v, cover.angles, closing);
     let node = graph.add(&CLOSED_CLADDING, &patch.name, input, needs);
-    graph.origin(node, "", &here);
+    graph.origin(node, "", here.clone());
     graph.origin(node, "slope", "split.slope");
     graph.origin(node, "width", basis.lamella_key(&patch.name, "width"));
     graph.origin(node, "members", format!("{here}.members"));

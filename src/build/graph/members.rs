@@ -62,5 +62,5 @@ pub(super) fn weave(
 pub(super) fn strip_origins<T>(graph: &mut Graph<'_>, node: Node<T>, field: &str, patch: &str) {
     graph.origin(node, format!("{field}.count"), format!("{patch}.members"));
     graph.origin(node, format!("{field}.weights"), "distribution.weights");
-    graph.origin(node, field, patch.to_owned());
+    graph.origin(node, field.to_owned(), patch.to_owned());
 }
