@@ -36,8 +36,6 @@ pub(super) struct Draft<'a> {
     pub(super) geodesics: &'a Geodesics<'a>,
     pub(super) from: &'a [SurfacePoint],
     pub(super) to: &'a [SurfacePoint],
-    /// Whether the second row lies on the shortest path between its ends.
-    pub(super) straight: bool,
 }
 
 impl<'a> Draft<'a> {

@@ -40,9 +40,6 @@ pub enum Known {
     Open,
 }
 
-/// Points of a path lie on it up to this share of its length.
-const ON: f64 = 1e-9;
-
 impl Geodesics<'_> {
     /// Shortest distances between all pairs of two rows of points, each row in order along a curve,
     /// so that paths of neighbours lie close together.
@@ -64,7 +61,6 @@ impl Geodesics<'_> {
             geodesics: self,
             from: &from,
             to: &to,
-            straight: grounds == Grounds::Compared && self.is_straight(&to),
         };
         let rows: Vec<Vec<Option<Cell>>> = if grounds == Grounds::Solved {
             vec![vec![None; to.len()]; from.len()]
@@ -89,25 +85,6 @@ impl Geodesics<'_> {
             pairs: cells.iter().map(|cell| cell.arrival).collect(),
             kinds: cells.iter().map(|cell| cell.kind).collect(),
             columns: to.len(),
-        })
-    }
-
-    /// Whether points lie on the shortest path between the first and the last of them.
-    fn is_straight(&self, row: &[SurfacePoint]) -> bool {
-        let (Some(first), Some(last)) = (row.first(), row.last()) else {
-            return false;
-        };
-        let Ok(path) = self.shortest(first, last) else {
-            return false;
-        };
-        let line = path.polyline(self.mesh);
-        row.iter().all(|point| {
-            let at = point.position(self.mesh);
-            line.windows(2).any(|piece| {
-                let (along, out) = (piece[1] - piece[0], at - piece[0]);
-                let share = (out.dot(&along) / along.norm_squared()).clamp(0.0, 1.0);
-                (out - along * share).norm() < ON * path.length
-            })
         })
     }
 
