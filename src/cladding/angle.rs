@@ -389,7 +389,7 @@ fn sharpest_crossing(u: &[Line], v: &[Line]) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::nodes;
+    use super::super::fit::fitted;
     use super::*;
 
     const MODES: usize = 5;
@@ -471,18 +471,14 @@ mod tests {
             curve
         }
 
-        /// Points at equal arc lengths.
-        fn points(&self, n: usize) -> Vec<[f64; 2]> {
+        /// The point at a share of the arc length.
+        fn point(&self, share: f64) -> [f64; 2] {
             let total = self.length(1.0);
-            nodes(n)
-                .map(|share| {
-                    let mut t = share;
-                    for _ in 0..8 {
-                        t -= (self.length(t) - share * total) / self.at(t).1;
-                    }
-                    self.at(t).0
-                })
-                .collect()
+            let mut t = share;
+            for _ in 0..8 {
+                t -= (self.length(t) - share * total) / self.at(t).1;
+            }
+            self.at(t).0
         }
     }
 
@@ -490,17 +486,12 @@ mod tests {
     /// families.
     fn dome_maps() -> (SideLengths, DistanceTable, DistanceTable) {
         let side = Curve::geodesic([0.0, 0.0], [1.0, 0.0]);
-        let near = side.points(17);
-        let rows: Vec<Vec<f64>> = near
-            .iter()
-            .map(|p| {
-                near.iter()
-                    .map(|q| Curve::geodesic(*p, [q[0], 1.0 - q[1]]).length(1.0))
-                    .collect()
-            })
-            .collect();
+        let distance = |start, end| {
+            let (p, q) = (side.point(start), side.point(end));
+            Curve::geodesic(p, [q[0], 1.0 - q[1]]).length(1.0)
+        };
         let length = side.length(1.0);
-        let table = DistanceTable::new(&rows);
+        let (table, _) = fitted(1e-7, distance);
         (
             SideLengths {
                 ab: length,
