@@ -491,7 +491,7 @@ mod tests {
             Curve::geodesic(p, [q[0], 1.0 - q[1]]).length(1.0)
         };
         let length = side.length(1.0);
-        let (table, _) = fitted(1e-7, distance);
+        let (table, _) = fitted(1e-5, distance);
         (
             SideLengths {
                 ab: length,

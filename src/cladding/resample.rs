@@ -10,11 +10,7 @@ pub(super) struct Basis {
 }
 
 /// `start * parts * endᵀ`: what parts over two shares amount to at pairs of places.
-pub(super) fn resample(
-    start: &[Vec<f64>],
-    parts: &[Vec<f64>],
-    end: &[Vec<f64>],
-) -> Vec<Vec<f64>> {
+pub(super) fn resample(start: &[Vec<f64>], parts: &[Vec<f64>], end: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let dot = |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| a * b).sum::<f64>();
     // Per place of the end share and part of the start share.
     let along_end: Vec<Vec<f64>> = end
@@ -23,6 +19,11 @@ pub(super) fn resample(
         .collect();
     start
         .iter()
-        .map(|weights| along_end.iter().map(|column| dot(weights, column)).collect())
+        .map(|weights| {
+            along_end
+                .iter()
+                .map(|column| dot(weights, column))
+                .collect()
+        })
         .collect()
 }

@@ -95,9 +95,8 @@ mod tests {
         let shares = [0.0, 0.05, 0.35, 0.7, 1.0];
         let basis = spline(&knots, &shares);
         for (place, share) in shares.iter().enumerate() {
-            let sum = |row: &[f64]| -> f64 {
-                row.iter().zip(knots).map(|(w, k)| w * cubic(k)).sum()
-            };
+            let sum =
+                |row: &[f64]| -> f64 { row.iter().zip(knots).map(|(w, k)| w * cubic(k)).sum() };
             assert!((sum(&basis.values[place]) - cubic(*share)).abs() < 1e-14);
             assert!((sum(&basis.slopes[place]) - slope(*share)).abs() < 1e-13);
         }
