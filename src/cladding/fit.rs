@@ -1,7 +1,7 @@
 //! As few samples of a distance map as it takes.
 //!
 //! Squared distances are sampled at the Lobatto points of a Chebyshev series, 9 a side, then 17,
-//! then 33, each with all earlier ones. It ends when the upper degrees hold nothing but noise:
+//! then 33, each with all earlier ones. It ends when the upper degrees add no more than noise does:
 //! on smooth maps at the first or the second step. Where geodesics jump from one side of a hill to
 //! the other (a cut locus crosses the map), distances have kinks, and no series ends: then a cubic
 //! spline through the samples serves, whose error stays beside the kink.
@@ -14,8 +14,10 @@ use super::table::nodes;
 /// Samples a side, step by step.
 const STEPS: [usize; 3] = [9, 17, 33];
 
-/// A series ends if its upper quarter of degrees holds nothing.
-const FULL: f64 = 0.75;
+/// A series suffices if its upper quarter of degrees adds no more than this many times the noise,
+/// root mean square. Noise itself adds two thirds; a series that is still falling has about as
+/// much before it as its upper quarter holds.
+const ENOUGH: f64 = 4.0;
 
 /// Cells of the table per degree of the series. Of a wave of the highest degree, which is as small
 /// as the noise, cubics on these miss a thirtieth at most; of all others less.
@@ -37,10 +39,10 @@ pub(super) fn fit<E>(
         squares = grown(squares, n, &mut sample)?;
         let longest = squares.iter().flatten().copied().fold(0.0, f64::max);
         let series = Series::through(&squares);
-        // White noise leaves this in every coefficient but those at the rim.
-        let level = 2.0 * noise.max(ROUNDING * longest) / (n - 1) as f64;
-        let degree = series.degree(level).max(2);
-        if degree as f64 <= FULL * (n - 1) as f64 {
+        let noise = noise.max(ROUNDING * longest);
+        if series.above(3 * (n - 1) / 4) <= ENOUGH * noise {
+            // White noise leaves this in every coefficient but those at the rim.
+            let degree = series.degree(2.0 * noise / (n - 1) as f64).max(2);
             let series = series.up_to(degree);
             let places: Vec<f64> = nodes(CELLS * degree + 1).collect();
             let basis = chebyshev(degree + 1, &places);

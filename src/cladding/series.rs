@@ -46,6 +46,16 @@ impl Series {
         }
     }
 
+    /// What the terms above a degree, in either share, add: root mean square.
+    pub(super) fn above(&self, degree: usize) -> f64 {
+        let rows = self.terms.iter().enumerate();
+        let terms =
+            rows.flat_map(|(i, row)| row.iter().enumerate().map(move |(j, c)| (i.max(j), c)));
+        let squares = terms.filter(|(k, _)| *k > degree).map(|(_, c)| c * c);
+        // A wave in both shares has a fourth of the square of its height in the mean.
+        (0.25 * squares.sum::<f64>()).sqrt()
+    }
+
     /// The highest degree with terms, in either share, that stand out of a level: whose root mean
     /// square exceeds it.
     pub(super) fn degree(&self, level: f64) -> usize {
