@@ -144,21 +144,14 @@ impl Gap<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::nodes;
+    use super::super::fit::smooth;
     use super::*;
     use crate::layout::SideLengths;
     use proptest::prelude::*;
 
     /// A table of a plane quadrilateral with its own angle at A.
     fn plane(quad: &PlanarQuad, family: Family) -> DistanceTable {
-        let rows: Vec<Vec<f64>> = nodes(9)
-            .map(|s| {
-                nodes(9)
-                    .map(|e| quad.distance_squared(family, s, e).0.sqrt())
-                    .collect()
-            })
-            .collect();
-        DistanceTable::new(&rows)
+        smooth(|s, e| quad.distance_squared(family, s, e).0.sqrt())
     }
 
     /// The exact cladding function of a developable patch (method notes, section 3).
@@ -265,10 +258,7 @@ mod tests {
             let middle = 0.5 * (s + e);
             flat * (1.0 + 0.2 * middle * (1.0 - middle))
         };
-        let rows: Vec<Vec<f64>> = nodes(17)
-            .map(|s| nodes(17).map(|e| bulge(s, e)).collect())
-            .collect();
-        let failure = trace(&DistanceTable::new(&rows), &plan, Family::U).unwrap_err();
+        let failure = trace(&smooth(bulge), &plan, Family::U).unwrap_err();
         assert!(matches!(failure, TraceFailure::TurnsBack { .. }));
     }
 }
