@@ -26,12 +26,11 @@ impl Geodesics<'_> {
             Grounds::Solved => Err(Room::ANY),
             Grounds::Compared => {
                 let trail = walk.trail(path, to);
-                let heights = match among {
-                    Some(parts) => walk.bounds.among(&trail, self.masses(), parts),
-                    None => {
-                        let bounds = walk.bounds.around(&trail, 0.0, self.masses());
-                        bounds.ok_or(Room::ANY)?
-                    }
+                let heights = if let Some(parts) = among {
+                    walk.bounds.among(&trail, self.masses(), parts)
+                } else {
+                    let bounds = walk.bounds.around(&trail, 0.0, self.masses());
+                    bounds.ok_or(Room::ANY)?
                 };
                 walk.proven(path, to, &heights)
             }
