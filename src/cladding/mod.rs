@@ -3,7 +3,7 @@
 //!
 //! | step | by |
 //! |---|---|
-//! | few exact distances between opposite sides, interpolated | [`distance_table`], [`DistanceTable`] |
+//! | exact distances between opposite sides, interpolated | [`distance_table`], [`DistanceTable`] |
 //! | the flat quadrilateral with one free angle | [`PlanarQuad`] |
 //! | the arc of equal distances | [`trace`], [`CladdingFunction`] |
 //! | the angle: feasible intervals and the most compact plan | [`choose_angle`], [`clad`], [`lay`] |
@@ -12,13 +12,9 @@
 
 mod angle;
 mod explain;
-mod fit;
 mod function;
 mod maps;
 mod planar;
-mod resample;
-mod series;
-mod spline;
 mod survey;
 mod table;
 mod trace;
@@ -28,7 +24,7 @@ pub use angle::{
 };
 pub use explain::explain;
 pub use function::CladdingFunction;
-pub use maps::{Pairs, distance_table};
+pub use maps::{SAMPLES, distance_table};
 pub use planar::{PlanarQuad, Point2};
 pub use survey::{Survey, survey};
 pub use table::{DistanceTable, nodes};

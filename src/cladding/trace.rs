@@ -144,14 +144,21 @@ impl Gap<'_> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::fit::smooth;
+    use super::super::nodes;
     use super::*;
     use crate::layout::SideLengths;
     use proptest::prelude::*;
 
     /// A table of a plane quadrilateral with its own angle at A.
     fn plane(quad: &PlanarQuad, family: Family) -> DistanceTable {
-        smooth(|s, e| quad.distance_squared(family, s, e).0.sqrt())
+        let rows: Vec<Vec<f64>> = nodes(9)
+            .map(|s| {
+                nodes(9)
+                    .map(|e| quad.distance_squared(family, s, e).0.sqrt())
+                    .collect()
+            })
+            .collect();
+        DistanceTable::new(&rows)
     }
 
     /// The exact cladding function of a developable patch (method notes, section 3).
@@ -258,7 +265,10 @@ mod tests {
             let middle = 0.5 * (s + e);
             flat * (1.0 + 0.2 * middle * (1.0 - middle))
         };
-        let failure = trace(&smooth(bulge), &plan, Family::U).unwrap_err();
+        let rows: Vec<Vec<f64>> = nodes(17)
+            .map(|s| nodes(17).map(|e| bulge(s, e)).collect())
+            .collect();
+        let failure = trace(&DistanceTable::new(&rows), &plan, Family::U).unwrap_err();
         assert!(matches!(failure, TraceFailure::TurnsBack { .. }));
     }
 }

@@ -1,6 +1,6 @@
 use super::search::{LOCATE, ROUND};
 use super::*;
-use crate::cladding::fit::fitted;
+use crate::cladding::nodes;
 
 const MODES: usize = 5;
 
@@ -81,14 +81,18 @@ impl Curve {
         curve
     }
 
-    /// The point at a share of the arc length.
-    fn point(&self, share: f64) -> [f64; 2] {
+    /// Points at equal arc lengths.
+    fn points(&self, n: usize) -> Vec<[f64; 2]> {
         let total = self.length(1.0);
-        let mut t = share;
-        for _ in 0..8 {
-            t -= (self.length(t) - share * total) / self.at(t).1;
-        }
-        self.at(t).0
+        nodes(n)
+            .map(|share| {
+                let mut t = share;
+                for _ in 0..8 {
+                    t -= (self.length(t) - share * total) / self.at(t).1;
+                }
+                self.at(t).0
+            })
+            .collect()
     }
 }
 
@@ -96,12 +100,17 @@ impl Curve {
 /// families.
 fn dome_maps() -> (SideLengths, DistanceTable, DistanceTable) {
     let side = Curve::geodesic([0.0, 0.0], [1.0, 0.0]);
-    let distance = |start, end| {
-        let (p, q) = (side.point(start), side.point(end));
-        Curve::geodesic(p, [q[0], 1.0 - q[1]]).length(1.0)
-    };
+    let near = side.points(17);
+    let rows: Vec<Vec<f64>> = near
+        .iter()
+        .map(|p| {
+            near.iter()
+                .map(|q| Curve::geodesic(*p, [q[0], 1.0 - q[1]]).length(1.0))
+                .collect()
+        })
+        .collect();
     let length = side.length(1.0);
-    let (table, _) = fitted(1e-5, distance);
+    let table = DistanceTable::new(&rows);
     (
         SideLengths {
             ab: length,
