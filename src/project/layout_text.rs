@@ -288,7 +288,7 @@ mod tests {
             let notation = if ron { Notation::Ron } else { Notation::Toml };
             let own = [OwnLamella {
                 patch: "p".to_owned(),
-                width: Some(x.abs() + 0.001),
+                width: Some(0.02 + 0.001 * x.abs()),
                 thickness: None,
                 material: Some("limewood".to_owned()),
             }];

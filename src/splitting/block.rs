@@ -4,7 +4,7 @@
 //! elsewhere they are cuts from side to side, and what lies beyond is a patch of its own.
 
 use super::Proposal;
-use super::cut::Refusal;
+use super::cut::{Refusal, Rules};
 use super::draft::Draft;
 use super::split::Workshop;
 use crate::project::model::Family;
@@ -177,22 +177,31 @@ impl Carving {
         let cuts = |line: [f64; 2]| line.iter().all(|s| *s > 0.0 && *s < 1.0);
         let mut rest = behind;
         if cuts(before) {
-            self.cut(workshop, &edge(before))?;
+            self.cut(workshop, &edge(before), true)?;
             self.patch += 1;
             self.last += 1;
             rest = [0, 1].map(|i| (behind[i] - before[i]) / (1.0 - before[i]));
         }
         if cuts(behind) {
-            self.cut(workshop, &edge(rest))?;
+            // The middle of what is left of the outline is no place of it.
+            self.cut(workshop, &edge(rest), !cuts(before))?;
             self.last += 1;
         }
         Ok(())
     }
 
-    fn cut(&mut self, workshop: &mut Workshop<'_>, proposal: &Proposal) -> Result<(), Refusal> {
+    fn cut(
+        &mut self,
+        workshop: &mut Workshop<'_>,
+        proposal: &Proposal,
+        centre: bool,
+    ) -> Result<(), Refusal> {
         let lengths = workshop.sides(&self.draft, self.patch);
         let lengths = lengths.ok_or(Refusal::Folded)?;
-        self.draft
-            .cut(self.patch, proposal, lengths, &workshop.rules)
+        let rules = Rules {
+            centre,
+            ..workshop.rules
+        };
+        self.draft.cut(self.patch, proposal, lengths, &rules)
     }
 }

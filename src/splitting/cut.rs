@@ -22,6 +22,8 @@ pub(super) struct Rules {
     pub(super) max_patches: usize,
     /// Decimals of a metre in the coordinates of new anchors.
     pub(super) decimals: usize,
+    /// Whether cuts near the middle of a side are made in the middle.
+    pub(super) centre: bool,
 }
 
 /// Why a patch is not cut.
@@ -164,7 +166,7 @@ impl Draft {
             return Err(Refusal::MinSide(rules.min_side));
         }
         let mut share = share.clamp(least, 1.0 - least);
-        if (share - 0.5).abs() < MIDDLE {
+        if rules.centre && (share - 0.5).abs() < MIDDLE {
             share = 0.5;
         }
         // From the middle, so that mirror images are rounded to mirror images.
@@ -355,6 +357,7 @@ mod tests {
         min_side: 0.0,
         max_patches: 100,
         decimals: 3,
+        centre: true,
     };
     const LENGTHS: [f64; 4] = [10.0; 4];
 

@@ -208,6 +208,7 @@ pub fn split(
             min_side: limits.min_side.unwrap_or(0.0),
             max_patches: limits.max_patches.map_or(MOST_PATCHES, |n| n as usize),
             decimals: digits.clamp(0.0, 9.0) as usize,
+            centre: true,
         },
         stuck: Stuck::new(),
         given: draft.points.iter().map(|p| p.name.clone()).collect(),
