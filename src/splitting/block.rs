@@ -102,7 +102,7 @@ pub(super) fn carve(
         }),
     };
     if let Some(split) = split {
-        carving.cut(workshop, &split)?;
+        carving.cut(workshop, &split, true)?;
         carving.last += shape.parts() - 1;
     }
     let Carving {
