@@ -45,11 +45,7 @@ impl Range {
     pub(super) fn openings(&self, mesh: &Mesh, charts: &Charts) -> Vec<Opening> {
         let mut openings = Vec::new();
         for laid in &self.around {
-            let corners = [
-                (laid.entry, laid.left),
-                (laid.entry.next(), laid.right),
-                (laid.entry.prev(), laid.apex(charts)),
-            ];
+            let corners = laid.corners(charts);
             for k in 0..3 {
                 let (exit, right) = corners[k];
                 let (_, left) = corners[(k + 1) % 3];

@@ -32,9 +32,9 @@ pub struct Certificate {
     pub proven: usize,
 }
 
-/// Positive curvature of a mesh, radians, that is rounding. Geodesics around so much of it differ
+/// Positive curvature, radians, that is rounding. Geodesics around so much of it differ
 /// in length by a share below its square.
-const NO_CURVATURE: f64 = 1e-7;
+pub(super) const NO_CURVATURE: f64 = 1e-7;
 
 /// What tables on a mesh can rest on.
 pub(super) fn grounds(mesh: &Mesh, charts: &Charts) -> Grounds {

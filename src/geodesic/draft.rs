@@ -48,11 +48,8 @@ impl<'a> Draft<'a> {
             .flat_map_iter(|first| {
                 let last = (first + BLOCK).min(self.from.len());
                 let bounds = self.bounds(first, last, &begins);
-                let row = move |i: usize| (i, bounds.clone());
-                (first..last)
-                    .map(row)
-                    .map(|(i, bounds)| self.row(i, begins[i].as_ref(), &bounds))
-                    .collect::<Vec<_>>()
+                let row = |i: usize| self.row(i, begins[i].as_ref(), &bounds);
+                (first..last).map(row).collect::<Vec<_>>()
             })
             .collect()
     }
@@ -154,7 +151,6 @@ impl<'a> Draft<'a> {
         begin: Option<&Arrival>,
         bounds: &[Option<Bound>],
     ) -> Vec<Option<Cell>> {
-        let unique = self.geodesics.grounds() == Grounds::Unique;
         let mut cells = vec![None; self.to.len()];
         let begin = begin.and_then(|begin| self.walk_to(i, 0, begin));
         let Some((mut walk, mut last)) = begin else {
@@ -168,7 +164,6 @@ impl<'a> Draft<'a> {
             let alone =
                 |walk: &mut Walk<'a>, among| self.geodesics.prove(walk, &path, target, among);
             let proven = match &bounds[j / BLOCK] {
-                _ if unique => Ok(path),
                 None => alone(&mut walk, None),
                 Some(bound) if !bound.holds(&walk, &path) => alone(&mut walk, None),
                 // Bounds of a block are wider than those of a path.
@@ -198,11 +193,7 @@ impl<'a> Draft<'a> {
     ) -> Result<(Vec<Cell>, bool), GeodesicError> {
         let from = &self.from[i];
         let exact = |path: &Path| Cell {
-            arrival: Arrival {
-                length: path.length,
-                start: path.start,
-                end: path.end,
-            },
+            arrival: Arrival::of(path),
             kind: Known::Exact,
             room: Room([0.0; 2]),
         };

@@ -24,6 +24,16 @@ pub struct Arrival {
     pub end: Tangent,
 }
 
+impl Arrival {
+    pub(super) fn of(path: &Path) -> Self {
+        Self {
+            length: path.length,
+            start: path.start,
+            end: path.end,
+        }
+    }
+}
+
 /// What a field knows of a point.
 struct Known {
     point: SurfacePoint,
@@ -77,12 +87,7 @@ impl<'g> Field<'g> {
     ///
     /// [`derivative_along`]: super::derivative_along
     pub fn arrival(&self, point: &SurfacePoint) -> Result<Arrival, GeodesicError> {
-        let path = self.path_to(point)?;
-        Ok(Arrival {
-            length: path.length,
-            start: path.start,
-            end: path.end,
-        })
+        Ok(Arrival::of(&self.path_to(point)?))
     }
 
     /// What is known of a checked point; `None` if the field was not solved for it.

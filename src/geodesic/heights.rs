@@ -9,8 +9,8 @@
 //! y(x) <= Σ κ g(x, r),   g(x, r) = min(x, r) (L - max(x, r)) / L,
 //! ```
 //!
-//! over the vertices of curvature κ > 0 at arc lengths r below y. Begun with the bound L / 2 that
-//! every shorter path keeps, this is applied again and again: every result is a bound. Where no
+//! over the vertices of curvature κ > 0 at arc lengths r below y. Begun with all curvature within L,
+//! this is applied again and again: every result is a bound. Where no
 //! geodesic lies on that side it falls until nothing is below it; on smooth surfaces that is
 //! Sturm's comparison. The sum is exact for narrow lenses; wide ones get the factor by which a
 //! cone's lens is wider ([`widening`]).

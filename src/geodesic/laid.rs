@@ -34,6 +34,21 @@ impl Side {
     pub(super) const BOTH: [Self; 2] = [Self::Left, Self::Right];
 }
 
+/// A way round a vertex.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Turn {
+    /// Counter-clockwise.
+    Left,
+    /// Clockwise.
+    Right,
+}
+
+/// A direction turned to the left by an angle, radians.
+pub(super) fn turned([x, y]: V2, angle: f64) -> V2 {
+    let (s, c) = libm::sincos(angle);
+    [x * c - y * s, x * s + y * c]
+}
+
 /// A face in the plane, seen over the half-edge by which it was entered: who walks into it has
 /// the half-edge's origin on the left and its target on the right.
 #[derive(Debug, Clone, Copy)]
@@ -107,6 +122,38 @@ impl Laid {
     pub(super) fn image(&self, mesh: &Mesh, charts: &Charts, point: &SurfacePoint) -> Option<V2> {
         let coordinates = charts.coordinates(mesh, self.entry, point)?;
         Some(self.place(charts, coordinates))
+    }
+
+    /// The half-edges of the face in order, each with the image of its origin.
+    pub(super) fn corners(&self, charts: &Charts) -> [(HalfEdge, V2); 3] {
+        let entry = self.entry;
+        [
+            (entry, self.left),
+            (entry.next(), self.right),
+            (entry.prev(), self.apex(charts)),
+        ]
+    }
+
+    /// The half-edge of the face that leaves one of its corners.
+    pub(super) fn spoke(&self, mesh: &Mesh, vertex: u32) -> Option<HalfEdge> {
+        let around = [self.entry, self.entry.next(), self.entry.prev()];
+        around.into_iter().find(|&h| mesh.origin(h) == vertex)
+    }
+
+    /// The next face round one of the corners; `None` at the border.
+    pub(super) fn beside(
+        &self,
+        mesh: &Mesh,
+        charts: &Charts,
+        vertex: u32,
+        turn: Turn,
+    ) -> Option<Self> {
+        let spoke = self.spoke(mesh, vertex)?;
+        let exit = match turn {
+            Turn::Left => spoke.prev(),
+            Turn::Right => spoke,
+        };
+        self.across(mesh, charts, exit)
     }
 
     /// The face beyond a half-edge of this one; `None` at the border.

@@ -55,15 +55,8 @@ struct Vertex {
 impl Masses {
     pub(super) fn new(mesh: &Mesh, charts: &Charts) -> Self {
         let positions = mesh.positions();
-        let mut low = [f64::INFINITY; 3];
-        let mut high = [f64::NEG_INFINITY; 3];
-        for p in positions {
-            for i in 0..3 {
-                low[i] = low[i].min(p[i]);
-                high[i] = high[i].max(p[i]);
-            }
-        }
-        let extent = (0..3).map(|i| high[i] - low[i]).fold(0.0, f64::max);
+        let (low, high) = mesh.bounding_box();
+        let extent = (high - low).iter().copied().fold(0.0, f64::max);
         let side = if extent > 0.0 { extent / FINE } else { 1.0 };
         let rough = rough(mesh);
         let known = charts.curvatures.iter().zip(&rough);

@@ -1,15 +1,12 @@
 //! Which vertices another geodesic with the same ends can have on its other side: those below its
 //! bound, found from the path outward.
 
+use super::certificate::NO_CURVATURE;
 use super::charts::Charts;
 use super::heights::{Heights, widening};
-use super::laid::{Laid, Side};
+use super::laid::{Laid, Side, Turn};
 use super::unrolled::{Leg, Unrolled};
-use super::walk::Turn;
 use crate::surface::{HalfEdge, Mesh};
-
-/// So much curvature, radians, changes no length by more than rounding: by its square.
-const NEGLIGIBLE: f64 = 1e-7;
 
 /// More vertices near a path are not told apart.
 const MOST: usize = 96;
@@ -85,7 +82,7 @@ impl Near {
         side: Side,
         heights: &Heights,
     ) -> Option<f64> {
-        if heights.turn <= NEGLIGIBLE {
+        if heights.turn <= NO_CURVATURE {
             return Some(0.0);
         }
         if heights.turn > WIDEST {
@@ -144,14 +141,7 @@ impl Near {
             let mut turn = Turn::Right;
             let mut laid = corner.laid;
             for _ in 0..mesh.faces().len() {
-                let corners = [laid.entry, laid.entry.next(), laid.entry.prev()];
-                let leaves = |h: &HalfEdge| mesh.origin(*h) == corner.vertex;
-                let spoke = corners.into_iter().find(leaves)?;
-                let exit = match turn {
-                    Turn::Right => spoke,
-                    Turn::Left => spoke.prev(),
-                };
-                match (laid.across(mesh, charts, exit), turn) {
+                match (laid.beside(mesh, charts, corner.vertex, turn), turn) {
                     (Some(next), _) if next.entry.face() == begin => break,
                     (Some(next), _) => laid = next,
                     (None, Turn::Right) => {
@@ -198,7 +188,7 @@ impl Near {
                 turn += pull;
                 rest += pull * (length - corner.along);
             }
-            if turn <= NEGLIGIBLE {
+            if turn <= NO_CURVATURE {
                 return 0.0;
             }
             // Σ κ g(x, r), over those before x and those behind.

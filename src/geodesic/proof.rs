@@ -4,12 +4,12 @@
 use super::Geodesics;
 use super::certificate::Grounds;
 use super::heights::Heights;
-use super::laid::{Laid, Side};
+use super::laid::{Laid, Side, Turn};
 use super::rays::{Ends, Found};
 use super::room::Room;
 use super::unrolled::Tight;
-use super::walk::{Turn, Walk};
-use crate::surface::{HalfEdge, SurfacePoint};
+use super::walk::Walk;
+use crate::surface::SurfacePoint;
 
 impl Geodesics<'_> {
     /// The shortest path to a point, given one that a walk has just found, or the room that is left
@@ -98,21 +98,11 @@ impl Walk<'_> {
             }
             SurfacePoint::Vertex(v) => {
                 let count = mesh.outgoing(v).count();
-                let leaves = |h: &HalfEdge| mesh.origin(*h) == v;
                 for (turn, most) in [(Turn::Left, 1 + count / 2), (Turn::Right, count)] {
                     let mut laid = first;
-                    while faces.len() < most {
-                        let corners = [laid.entry, laid.entry.next(), laid.entry.prev()];
-                        let Some(spoke) = corners.into_iter().find(leaves) else {
-                            break;
-                        };
-                        let exit = match turn {
-                            Turn::Left => spoke.prev(),
-                            Turn::Right => spoke,
-                        };
-                        let Some(next) = laid.across(mesh, charts, exit) else {
-                            break;
-                        };
+                    while faces.len() < most
+                        && let Some(next) = laid.beside(mesh, charts, v, turn)
+                    {
                         laid = next;
                         faces.push(laid);
                     }

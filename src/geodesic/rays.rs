@@ -3,7 +3,7 @@
 //! polyhedron*, 1990). Made for narrow ranges, where there are few.
 
 use super::charts::Charts;
-use super::laid::{Laid, V2, apex, cross, dot, norm, sub};
+use super::laid::{Laid, V2, apex, cross, dot, norm, sub, turned};
 use super::unrolled::Strip;
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
 use std::f64::consts::PI;
@@ -85,27 +85,17 @@ impl Rays {
         [left, right]: [f64; 2],
         length: f64,
     ) -> Found {
-        let turned = |angle: f64| {
-            let (s, c) = libm::sincos(angle);
-            [
-                direction[0] * c - direction[1] * s,
-                direction[0] * s + direction[1] * c,
-            ]
-        };
         if left.max(right) > 1.0 {
             return Found::Unknown;
         }
-        let (low, high) = (turned(-right - TOUCHING), turned(left + TOUCHING));
+        let low = turned(direction, -right - TOUCHING);
+        let high = turned(direction, left + TOUCHING);
         self.faces.clear();
         self.bends.clear();
         let mut best = length * LONGER;
         let mut found = None;
         for laid in ends.around {
-            let corners = [
-                (laid.entry, laid.left),
-                (laid.entry.next(), laid.right),
-                (laid.entry.prev(), laid.apex(charts)),
-            ];
+            let corners = laid.corners(charts);
             for (h, at) in corners {
                 let vertex = mesh.origin(h);
                 if *ends.from != SurfacePoint::Vertex(vertex) && dot(direction, at) > 0.0 {
@@ -281,33 +271,23 @@ impl Rays {
         }
         let ahead = sub(at, bend.root);
         let excess = charts.total_angles[vertex as usize] - 2.0 * PI;
-        let (s, c) = libm::sincos(-excess);
         // Seen over the faces on the left of the vertex: from straight on to the right.
         let high = ahead;
-        let low = [ahead[0] * c - ahead[1] * s, ahead[0] * s + ahead[1] * c];
+        let low = turned(ahead, -excess);
         let sigma = bend.sigma + norm(ahead);
         let mut laid = bend.laid;
         let mut index = bend.index;
-        let leaves = |h: &HalfEdge| mesh.origin(*h) == vertex;
-        let around = |laid: &Laid| [laid.entry, laid.entry.next(), laid.entry.prev()];
-        let mut spoke = around(&laid).into_iter().find(leaves)?;
+        let mut exit = laid.spoke(mesh, vertex)?;
         let faces = mesh.outgoing(vertex).count();
         for _ in 0..faces {
             // Over the half-edge that leaves the vertex, clockwise around it.
-            laid = laid.across(mesh, charts, spoke)?;
-            let exit = spoke;
-            let outgoing = around(&laid).into_iter().find(leaves)?;
-            let opposite = outgoing.next();
-            let place = |h: HalfEdge| {
-                if h == laid.entry {
-                    laid.left
-                } else if h == laid.entry.next() {
-                    laid.right
-                } else {
-                    laid.apex(charts)
-                }
-            };
-            let (right, left) = (place(opposite), place(opposite.next()));
+            laid = laid.across(mesh, charts, exit)?;
+            let corners = laid.corners(charts);
+            let own = corners
+                .iter()
+                .position(|&(h, _)| mesh.origin(h) == vertex)?;
+            let [(outgoing, _), (opposite, right), (_, left)] =
+                [0, 1, 2].map(|k| corners[(own + k) % 3]);
             self.faces.push(Entered {
                 laid,
                 root: at,
@@ -341,7 +321,7 @@ impl Rays {
             if cross(sub(right, at), low) >= 0.0 && dot(sub(right, at), low) > 0.0 {
                 break;
             }
-            spoke = outgoing;
+            exit = outgoing;
         }
         Some(())
     }

@@ -3,7 +3,7 @@
 use super::aim::Range;
 use super::charts::Charts;
 use super::draft::{Cell, Draft};
-use super::laid::{cross, dot};
+use super::laid::{cross, dot, turned};
 use super::table::Known;
 
 /// Directions of paths are known to this angle, radians.
@@ -47,10 +47,7 @@ impl Draft<'_> {
         }
         let ends = [low - PLAY, high + PLAY];
         ends.iter().all(|a| a.abs() < WIDEST).then(|| {
-            let [low, high] = ends.map(|angle| {
-                let (s, c) = libm::sincos(angle);
-                [ahead[0] * c - ahead[1] * s, ahead[0] * s + ahead[1] * c]
-            });
+            let [low, high] = ends.map(|angle| turned(ahead, angle));
             Range { around, low, high }
         })
     }

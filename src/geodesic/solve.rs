@@ -87,8 +87,6 @@ pub(super) struct Sweep<'a> {
     /// Windows nearer than this are still wanted.
     bound: f64,
     pub(super) aim: Aim,
-    /// Whether it began in a range of directions only.
-    pub(super) ranged: bool,
     pub(super) front: &'a mut Front,
     pub(super) scratch: Scratch,
 }
@@ -135,7 +133,6 @@ impl<'a> Sweep<'a> {
             targets_of_face,
             bound: aim.farthest(),
             aim,
-            ranged: false,
             front,
             scratch: Scratch::default(),
         }

@@ -1,6 +1,6 @@
 //! Where windows begin: at the source, and at vertices where shortest paths bend.
 
-use super::aim::{Opening, Range};
+use super::aim::Opening;
 use super::solve::{Approach, CLEARLY, Sweep};
 use super::window::{SOURCE, Window};
 use crate::surface::{HalfEdge, SurfacePoint};
@@ -21,9 +21,9 @@ fn from_origin(h: HalfEdge, root: u32) -> Approach {
 impl Sweep<'_> {
     /// First windows and distances around the source.
     pub(super) fn start(&mut self, source: &SurfacePoint) {
-        if let Some(range) = self.aim.range.take() {
-            self.ranged = true;
-            self.start_in(source, &range);
+        let range = self.aim.range.as_ref();
+        if let Some(openings) = range.map(|range| range.openings(self.mesh, self.charts)) {
+            self.start_in(source, &openings);
             return;
         }
         if let SurfacePoint::Vertex(v) = *source {
@@ -59,9 +59,9 @@ impl Sweep<'_> {
     }
 
     /// First windows and distances in a range of directions.
-    fn start_in(&mut self, source: &SurfacePoint, range: &Range) {
-        for opening in range.openings(self.mesh, self.charts) {
-            let Opening { along, depth, .. } = opening;
+    fn start_in(&mut self, source: &SurfacePoint, openings: &[Opening]) {
+        for opening in openings {
+            let Opening { along, depth, .. } = *opening;
             self.emit(opening.entry, opening.interval, along, depth, 0.0, SOURCE);
             let inner = self.mesh.twin(opening.entry);
             for (vertex, distance) in opening.ends.into_iter().flatten() {
@@ -189,7 +189,7 @@ impl Sweep<'_> {
         };
         // The sides are ways in any case: where the border is straight the shadow is a line. From a
         // range of directions only those in the shadow lead on.
-        let ranged = self.ranged;
+        let ranged = self.aim.range.is_some();
         for h in self.mesh.outgoing(v) {
             if ranged {
                 self.reach_straight(h, from_origin(h, v), sigma);

@@ -2,7 +2,7 @@
 
 use super::charts::Charts;
 use super::heights::Bounds;
-use super::laid::{Laid, V2, norm};
+use super::laid::{Laid, Turn, V2, norm};
 use super::near::Near;
 use super::rays::Rays;
 use super::relax::{Relaxer, face_at};
@@ -234,15 +234,6 @@ impl Strip {
         }
         Some(strip)
     }
-}
-
-/// A way round a vertex.
-#[derive(Clone, Copy, PartialEq)]
-pub(super) enum Turn {
-    /// Counter-clockwise.
-    Left,
-    /// Clockwise.
-    Right,
 }
 
 /// Half-edges left on the way around a vertex from one face to another; whether the border lets
