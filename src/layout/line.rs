@@ -5,7 +5,7 @@
 //! on the faces that this ellipsoid meets, and what is shortest there is shortest on the surface.
 
 use crate::geodesic::{GeodesicError, Geodesics, Path};
-use crate::surface::{Mesh, Point3, SubMesh, SurfacePoint, Tangent};
+use crate::surface::{Mesh, Point3, SubMesh, SurfacePoint};
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BinaryHeap};
 
@@ -28,15 +28,12 @@ pub fn shortest_line(
         let [Some(from), Some(to)] = ends else {
             return None;
         };
-        Some((part, from, to))
+        // What is wrong is told of the whole surface.
+        let path = Geodesics::new(part.mesh()).shortest(&from, &to).ok()?;
+        Some((part, path))
     });
-    let Some((part, from, to)) = local else {
+    let Some((part, path)) = local else {
         return Geodesics::new(surface).shortest(from, to);
-    };
-    let path = Geodesics::new(part.mesh()).shortest(&from, &to)?;
-    let tangent = |tangent: Tangent| Tangent {
-        face: part.face_to_parent(tangent.face),
-        direction: tangent.direction,
     };
     Ok(Path {
         points: path
@@ -46,8 +43,8 @@ pub fn shortest_line(
             .collect(),
         faces: path.faces.iter().map(|&f| part.face_to_parent(f)).collect(),
         length: path.length,
-        start: tangent(path.start),
-        end: tangent(path.end),
+        start: part.tangent_to_parent(&path.start),
+        end: part.tangent_to_parent(&path.end),
     })
 }
 

@@ -11,8 +11,10 @@ use crate::cladding::{
     AngleChoice, Demands, DistanceTable, Maps, choose_angle, clad, distance_table,
 };
 use crate::diagnostics::Diagnostic;
-use crate::geodesic::{GeodesicError, Geodesics};
-use crate::layout::{Domain, Line, Network, Quad, Side, SideLengths, check_quad, place_anchors};
+use crate::geodesic::GeodesicError;
+use crate::layout::{
+    Domain, Line, Network, Quad, Side, SideLengths, check_quad, place_anchors, shortest_line,
+};
 use crate::project::model::{Anchor, Family};
 use crate::surface::{Curvature, SurfaceMesh, SurfacePoint};
 use rayon::prelude::*;
@@ -97,7 +99,6 @@ pub(super) struct Appraiser<'a> {
     pub(super) surface: &'a SurfaceMesh,
     pub(super) curvature: &'a Curvature,
     pub(super) limits: Limits,
-    geodesics: Geodesics<'a>,
     anchors: BTreeMap<Spot, SurfacePoint>,
     lines: BTreeMap<LineKey, Result<Side, GeodesicError>>,
     shapes: BTreeMap<ShapeKey, Result<Arc<Shape>, Vec<Diagnostic>>>,
@@ -212,7 +213,6 @@ impl<'a> Appraiser<'a> {
             surface,
             curvature,
             limits,
-            geodesics: Geodesics::new(&surface.mesh),
             anchors: BTreeMap::new(),
             lines: BTreeMap::new(),
             shapes: BTreeMap::new(),
@@ -332,7 +332,7 @@ impl<'a> Appraiser<'a> {
 
     fn solve(&self, ends: [Result<SurfacePoint, GeodesicError>; 2]) -> Result<Side, GeodesicError> {
         let [from, to] = ends;
-        let path = self.geodesics.shortest(&from?, &to?)?;
+        let path = shortest_line(&self.surface.mesh, &from?, &to?)?;
         Ok(Side::new(&self.surface.mesh, path))
     }
 
