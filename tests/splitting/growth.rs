@@ -2,7 +2,7 @@
 //! symmetric stays so.
 
 use crate::workflows::{LIMITS, codes, run};
-use crate::{bumps, grid, patch, point};
+use crate::{bumps, grid, patch, single};
 use egg::project::model::{Anchor, Workflow};
 use egg::splitting::{Draft, DraftPatch, SplitLimits};
 use egg::surface::Mesh;
@@ -15,19 +15,7 @@ const INFORMED: SplitLimits = SplitLimits {
 /// A hill at x = -7 in an outline from x = -14 to 14.
 fn off_the_middle() -> (Mesh, Draft) {
     let mesh = bumps(&[[-7.0, 0.0]], 3.2, 3.0, &grid([16.0, 7.0], [64, 28]));
-    (mesh, outline([14.0, 5.5], [13, 7]))
-}
-
-fn outline([x, y]: [f64; 2], members: [u32; 2]) -> Draft {
-    Draft {
-        points: vec![
-            point("a", [-x, -y]),
-            point("b", [x, -y]),
-            point("c", [x, y]),
-            point("d", [-x, y]),
-        ],
-        patches: vec![patch("p", ["a", "b", "c", "d"], members)],
-    }
+    (mesh, single([14.0, 5.5], [13, 7]))
 }
 
 /// Shares of the anchors on a side of the outline, ascending.
@@ -90,7 +78,7 @@ fn off_the_middle_one_patch_grows_from_the_circle_until_it_would_not_cover_the_h
 #[test]
 fn a_patch_grows_to_the_size_that_is_wanted() {
     let mesh = bumps(&[[0.0, 0.0]], 3.2, 3.0, &grid([22.0, 7.0], [88, 28]));
-    let draft = outline([20.0, 5.5], [17, 7]);
+    let draft = single([20.0, 5.5], [17, 7]);
     let wanted = SplitLimits {
         max_side: Some(14.0),
         ..INFORMED
@@ -108,7 +96,7 @@ fn a_patch_grows_to_the_size_that_is_wanted() {
 fn twins_are_parted_in_the_middle_by_both_workflows() {
     let places = [[-7.0, 0.0], [7.0, 0.0]];
     let mesh = bumps(&places, 3.2, 3.0, &grid([16.0, 7.0], [64, 28]));
-    let draft = outline([14.0, 5.5], [13, 7]);
+    let draft = single([14.0, 5.5], [13, 7]);
     for workflow in [Workflow::Automatic, Workflow::Informed] {
         let limits = SplitLimits { workflow, ..LIMITS };
         let (found, told) = run(&mesh, &draft, &limits);
@@ -131,7 +119,7 @@ fn four_patches_around_a_corner_shrink_until_members_do_not_bunch() {
         slope: [0.78, 1.28],
         ..INFORMED
     };
-    let draft = outline([12.0, 12.0], [17, 17]);
+    let draft = single([12.0, 12.0], [17, 17]);
     let (found, told) = run(&mesh, &draft, &strict);
     assert_eq!(codes(&told), ["W0352"], "{told:#?}");
     let corner = |p: &&DraftPatch| p.corners.contains(&"p-peak".to_owned());

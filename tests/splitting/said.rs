@@ -115,15 +115,18 @@ fn layout_of(text: &str) -> &str {
     layout.split_once("# what else there is").expect("more").0
 }
 
+/// Files of the corpus that splitting changes.
+const SPLIT: [&str; 4] = [
+    "automatic.toml",
+    "informed.toml",
+    "junction.toml",
+    "growing.toml",
+];
+
 #[test]
 fn what_split_prints_is_printed_again_as_it_is() {
     let shop = workshop();
-    for name in [
-        "automatic.toml",
-        "informed.toml",
-        "junction.toml",
-        "growing.toml",
-    ] {
+    for name in SPLIT {
         let text = pasted(&shop, name);
         shop.write("pasted.toml", &text);
         for workflow in ["automatic", "informed"] {
@@ -168,12 +171,7 @@ fn a_support_at_a_crossing_of_a_patch_that_is_split_is_told() {
 #[test]
 fn what_split_prints_builds_the_plan_that_the_workflow_builds() {
     let shop = workshop();
-    for name in [
-        "automatic.toml",
-        "informed.toml",
-        "junction.toml",
-        "growing.toml",
-    ] {
+    for name in SPLIT {
         shop.egg(&["build", name, "--out", "by-workflow"]).expect(0);
         shop.write("pasted.toml", pasted(&shop, name));
         shop.egg(&["build", "pasted.toml", "--out", "by-hand"])

@@ -7,7 +7,7 @@ use crate::cladding::{
     distance_table, explain,
 };
 use crate::diagnostics::codes::cladding as codes;
-use crate::diagnostics::{Code, Diagnostic};
+use crate::diagnostics::{Code, Diagnostic, Warned};
 use crate::geodesic::GeodesicError;
 use crate::layout::{Domain, SideLengths};
 use crate::project::model::Family;
@@ -95,11 +95,10 @@ pub(in crate::build) const CLADDING: Stage<CladdingInput, (Tables, Node<AngleCho
         version: 3,
         numerics: Numerics::Portable,
         run: |input, ((sides, u, v), choice), _| {
-            let refused = |why, given| Err(Failure::from(explain(choice, &why, given)));
             let Some(alpha) = input.alpha else {
                 return match &choice.taken {
                     Ok(clad) => plain(clad.clone()),
-                    Err(why) => refused(*why, false),
+                    Err(why) => Err(Failure::from(explain(choice, why, false))),
                 };
             };
             let maps = Maps {
@@ -112,12 +111,25 @@ pub(in crate::build) const CLADDING: Stage<CladdingInput, (Tables, Node<AngleCho
                 members: input.members,
                 width: input.width,
             };
-            match clad(&maps, &demands, alpha) {
-                Ok(clad) => plain(clad),
-                Err(obstacle) => refused(Infeasible { alpha, obstacle }, true),
-            }
+            clad_at(choice, &maps, &demands, alpha)
         },
     };
+
+/// The plan with a given angle, radians, or why there is none.
+pub(super) fn clad_at(
+    choice: &AngleChoice,
+    maps: &Maps<'_>,
+    demands: &Demands,
+    alpha: f64,
+) -> Result<Warned<Clad>, Failure> {
+    match clad(maps, demands, alpha) {
+        Ok(clad) => plain(clad),
+        Err(obstacle) => {
+            let why = Infeasible { alpha, obstacle };
+            Err(Failure::from(explain(choice, &why, true)))
+        }
+    }
+}
 
 type Measured = (
     Node<SurfaceMesh>,

@@ -1,9 +1,10 @@
 //! Rings that shall close: angles and members together.
 
+use super::cladding::clad_at;
 use super::members::no_schedule;
 use super::plain;
 use crate::build::{Failure, Node, Numerics, Stage};
-use crate::cladding::{AngleChoice, Clad, Demands, DistanceTable, Infeasible, Maps, clad, explain};
+use crate::cladding::{AngleChoice, Clad, Demands, DistanceTable, Maps};
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::grid as codes;
 use crate::layout::{Domain, SideLengths};
@@ -195,13 +196,7 @@ pub(in crate::build) const CLOSED_CLADDING: Stage<ClosedCladdingInput, ClosedTab
                 members: input.members,
                 width: input.width,
             };
-            match clad(&maps, &demands, alpha) {
-                Ok(clad) => plain(clad),
-                Err(obstacle) => {
-                    let why = Infeasible { alpha, obstacle };
-                    Err(Failure::from(explain(choice, &why, true)))
-                }
-            }
+            clad_at(choice, &maps, &demands, alpha)
         },
     };
 

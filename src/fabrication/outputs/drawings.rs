@@ -1,6 +1,6 @@
 //! Drawings of patches and of the whole structure, coupons, foils and supports.
 
-use super::{Files, OutputFile};
+use super::{Files, OutputFile, sheet_name};
 use crate::diagnostics::Checked;
 use crate::fabrication::coupon::{self, CouponSection};
 use crate::fabrication::index::PlanIndex;
@@ -103,14 +103,8 @@ pub fn sticker_files(plan: &Plan, colours: ColourPreset) -> Checked<Vec<OutputFi
     };
     let mut files = Files::default();
     for sheet in &plan.foils {
-        let name = format!(
-            "stickers/{}_{}-{}mm_{}-of-{:02}",
-            file_name(&plan.name),
-            file_name(&sheet.material),
-            trim(sheet.thickness * MM),
-            sheet.id,
-            plan.foils.len()
-        );
+        let material = (sheet.material.as_str(), sheet.thickness);
+        let name = sheet_name("stickers", plan, material, &sheet.id, plan.foils.len());
         files.both(&name, &stickers::draw(sheet, &by_id, &style));
     }
     files.finish()

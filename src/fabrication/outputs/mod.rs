@@ -17,16 +17,34 @@ pub use parts::{SheetSettings, overview_files, part_files, parts, sheet_files};
 pub use tables::{assembly_file, table_files};
 
 use super::drawing::{Drawing, NotFinite};
+use super::names::file_name;
 use super::nesting::Blank;
 use super::network::NamedQuad;
 use super::part::PartStyle;
-use super::sheet::Parts;
+use super::sheet::{Parts, trim};
+use super::units::MM;
 use super::{coupon, dxf, pieces, svg};
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Warned};
 use crate::plan::{LamellaRecord, Plan};
 use crate::project::model::{Fabrication, Grain, Hardware, Material};
 use serde::Serialize;
+
+/// The path of a sheet's files without their ending: what it is of, which one, and of how many.
+fn sheet_name(
+    folder: &str,
+    plan: &Plan,
+    (material, thickness): (&str, f64),
+    id: &str,
+    count: usize,
+) -> String {
+    format!(
+        "{folder}/{}_{}-{}mm_{id}-of-{count:02}",
+        file_name(&plan.name),
+        file_name(material),
+        trim(thickness * MM)
+    )
+}
 
 /// A file to write.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! Parts and sheets: what a machine cuts.
 
-use super::{Files, Grains, OutputFile};
+use super::{Files, Grains, OutputFile, sheet_name};
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Warned};
 use crate::fabrication::drawing::Drawing;
@@ -61,14 +61,8 @@ pub fn sheet_files(
     settings: &SheetSettings,
 ) -> Checked<Vec<OutputFile>> {
     let style = sheet_style(plan, sheet, settings);
-    let name = format!(
-        "fabrication/{}_{}-{}mm_{}-of-{:02}",
-        file_name(&plan.name),
-        file_name(&sheet.material),
-        trim(sheet.thickness * MM),
-        sheet.id,
-        plan.sheets.len()
-    );
+    let material = (sheet.material.as_str(), sheet.thickness);
+    let name = sheet_name("fabrication", plan, material, &sheet.id, plan.sheets.len());
     let mut files = Files::default();
     if sheet.windows.is_empty() {
         files.both(&name, &sheet::cut_file(sheet, parts, &style));

@@ -2,6 +2,7 @@
 
 use super::{Agreement, Findings, Folder};
 use crate::fabrication::names::distinct_file_names;
+use crate::fabrication::supports::solid::{cross, dot};
 use crate::fabrication::units::MM;
 use crate::plan::{Plan, SupportBody, SupportRecord};
 use crate::project::model::SupportKind;
@@ -202,16 +203,4 @@ fn surface(triangles: &Triangles) -> f64 {
         0.5 * libm::sqrt(dot(normal, normal))
     };
     triangles.iter().copied().map(area).sum()
-}
-
-fn cross(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    [
-        a[1] * b[2] - a[2] * b[1],
-        a[2] * b[0] - a[0] * b[2],
-        a[0] * b[1] - a[1] * b[0],
-    ]
-}
-
-fn dot(a: [f64; 3], b: [f64; 3]) -> f64 {
-    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
