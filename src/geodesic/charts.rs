@@ -24,10 +24,6 @@ pub(super) struct Chart {
     pub(super) right: [f64; 2],
     /// |CB|, metres.
     pub(super) right_length: f64,
-    /// The half-edge A→C of the face beyond, or `BORDER`.
-    pub(super) left_exit: u32,
-    /// The half-edge C→B of the face beyond, or `BORDER`.
-    pub(super) right_exit: u32,
 }
 
 impl Chart {
@@ -45,9 +41,9 @@ impl Chart {
 pub(super) struct Step {
     /// The opposite corner C: along and across AB, in shares of it.
     pub(super) apex: [f64; 2],
-    /// As in [`Chart`].
+    /// The half-edge A→C of the face beyond, or `BORDER`.
     pub(super) left_exit: u32,
-    /// As in [`Chart`].
+    /// The half-edge C→B of the face beyond, or `BORDER`.
     pub(super) right_exit: u32,
 }
 
@@ -108,20 +104,19 @@ impl Charts {
                     left_length: left,
                     right: unit(ab.dot(&cb), -double_area),
                     right_length: right,
-                    left_exit: mesh.twin(h.prev()).map_or(BORDER, |t| t.0),
-                    right_exit: mesh.twin(h.next()).map_or(BORDER, |t| t.0),
                 });
                 let angle = libm::atan2(double_area, ab.dot(&ac));
                 angles.push(angle);
                 total_angles[mesh.origin(h) as usize] += angle;
             }
         }
-        let step = |chart: &Chart| Step {
+        let beyond = |side: HalfEdge| mesh.twin(side).map_or(BORDER, |t| t.0);
+        let step = |(h, chart): (u32, &Chart)| Step {
             apex: chart.apex().map(|x| x / chart.length),
-            left_exit: chart.left_exit,
-            right_exit: chart.right_exit,
+            left_exit: beyond(HalfEdge(h).prev()),
+            right_exit: beyond(HalfEdge(h).next()),
         };
-        let steps = charts.iter().map(step).collect();
+        let steps = (0..).zip(&charts).map(step).collect();
         let full = 2.0 * std::f64::consts::PI;
         let vertices = || 0..mesh.vertex_count();
         let bends = vertices()

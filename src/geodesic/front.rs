@@ -1,35 +1,38 @@
-//! The wavefront's memory: the windows that wait at half-edges, and the order in which they go on.
+//! The wavefront's memory: the sheaves that wait at half-edges, and the order in which they go on.
 //!
-//! Waiting windows are lists in a pool: a list that has been swept is used again for the next
-//! half-edge that needs one, so a solve holds the wave and not the surface it has passed, and a
-//! workspace that is used for many solves allocates nothing after the first.
+//! A sheaf is forgotten once it has been swept, and its memory used again: a solve holds the wave
+//! and not the surface it has passed, and a workspace that is used for many solves allocates
+//! nothing after the first.
 
-use super::trim;
-use super::window::Window;
+use super::beam::Beam;
+use super::sheaf::{Lists, Sheaf};
 use std::cmp::Reverse;
 use std::collections::BinaryHeap;
 
 /// Marks a queue entry as a vertex.
 const VERTEX: u32 = 1 << 31;
 
-/// No list waits at a half-edge.
+/// No sheaf waits at a half-edge.
 const NONE: u32 = u32::MAX;
 
-/// Half-edges with waiting windows, and vertices about to become sources, by distance.
+/// Half-edges with waiting sheaves, and vertices about to become sources, by distance.
 #[derive(Debug, Default)]
 pub(super) struct Front {
-    /// Per half-edge its list, or `NONE`.
+    /// Per half-edge the place of its sheaf, or `NONE`.
     slots: Vec<u32>,
-    lists: Vec<Vec<Window>>,
+    sheaves: Vec<Option<Sheaf>>,
+    /// Places without a sheaf.
     free: Vec<u32>,
+    /// Empty lists with memory.
+    spare: Vec<Vec<Beam>>,
     queue: BinaryHeap<Reverse<(u64, u32)>>,
-    merged: Vec<Window>,
+    pub(super) lists: Lists,
 }
 
 /// What goes on next.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Next {
-    /// The windows that wait at a half-edge.
+    /// The sheaf that waits at a half-edge.
     HalfEdge(u32),
     /// A vertex where paths bend.
     Vertex(u32),
@@ -44,12 +47,8 @@ impl Front {
         }
     }
 
-    /// Takes what is nearest out of the queue, if it is not beyond a distance.
-    pub(super) fn pop(&mut self, bound: f64) -> Option<(f64, Next)> {
-        let &Reverse((key, _)) = self.queue.peek()?;
-        if f64::from_bits(key) > bound {
-            return None;
-        }
+    /// Takes what is nearest out of the queue, and about its distance.
+    pub(super) fn pop(&mut self) -> Option<(f64, Next)> {
         let Reverse((key, id)) = self.queue.pop()?;
         let next = if id & VERTEX == 0 {
             Next::HalfEdge(id)
@@ -64,57 +63,47 @@ impl Front {
         self.queue.push(Reverse((distance.to_bits(), v | VERTEX)));
     }
 
-    /// Takes the windows that wait at a half-edge, sorted and without overlap. To be given back
-    /// with [`Front::recycle`].
-    pub(super) fn take(&mut self, h: u32) -> Option<(u32, Vec<Window>)> {
+    /// Takes the sheaf that waits at a half-edge.
+    pub(super) fn take(&mut self, h: u32) -> Option<Sheaf> {
         let slot = std::mem::replace(&mut self.slots[h as usize], NONE);
-        (slot != NONE).then(|| (slot, std::mem::take(&mut self.lists[slot as usize])))
-    }
-
-    /// Gives a taken list back.
-    pub(super) fn recycle(&mut self, slot: u32, mut list: Vec<Window>) {
-        list.clear();
-        self.lists[slot as usize] = list;
+        if slot == NONE {
+            return None;
+        }
         self.free.push(slot);
+        self.sheaves[slot as usize].take()
     }
 
-    /// Adds a sorted list of windows without overlap to what waits at a half-edge, and leaves an
-    /// empty one.
-    pub(super) fn arrive(&mut self, h: u32, new: &mut Vec<Window>) {
-        let nearest = new
-            .iter()
-            .map(Window::nearest)
-            .fold(f64::INFINITY, f64::min);
-        if nearest == f64::INFINITY {
-            return;
-        }
+    /// An empty list.
+    pub(super) fn spare(&mut self) -> Vec<Beam> {
+        self.spare.pop().unwrap_or_default()
+    }
+
+    /// Gives a list back.
+    pub(super) fn recycle(&mut self, mut beams: Vec<Beam>) {
+        beams.clear();
+        self.spare.push(beams);
+    }
+
+    /// Adds a sheaf to what waits at a half-edge.
+    pub(super) fn arrive(&mut self, h: u32, mut new: Sheaf) {
+        let key = new.nearest.to_bits();
         let slot = &mut self.slots[h as usize];
-        if *slot == NONE {
-            *slot = self.free.pop().unwrap_or_else(|| {
-                self.lists.push(Vec::new());
-                self.lists.len() as u32 - 1
-            });
-            std::mem::swap(&mut self.lists[*slot as usize], new);
-        } else {
-            let waiting = &mut self.lists[*slot as usize];
-            self.merged.clear();
-            trim::merge(waiting, new, &mut self.merged);
-            std::mem::swap(waiting, &mut self.merged);
-            new.clear();
-        }
-        self.queue.push(Reverse((nearest.to_bits(), h)));
-    }
-
-    /// Forgets what still waits.
-    pub(super) fn clear(&mut self) {
-        let mut queue = std::mem::take(&mut self.queue);
-        for Reverse((_, id)) in queue.drain() {
-            if id & VERTEX == 0
-                && let Some((slot, list)) = self.take(id)
-            {
-                self.recycle(slot, list);
+        let place = self.sheaves.get_mut(*slot as usize);
+        if let Some(Some(waiting)) = place {
+            let queued = waiting.nearest;
+            waiting.join(&mut new, &mut self.lists);
+            let sooner = waiting.nearest < queued;
+            self.recycle(new.beams);
+            if !sooner {
+                return;
             }
+        } else if let Some(free) = self.free.pop() {
+            self.sheaves[free as usize] = Some(new);
+            *slot = free;
+        } else {
+            *slot = self.sheaves.len() as u32;
+            self.sheaves.push(Some(new));
         }
-        self.queue = queue;
+        self.queue.push(Reverse((key, h)));
     }
 }

@@ -77,6 +77,7 @@
 //! The room knows meshes and points on them (`surface`) and nothing else of egg.
 
 mod aim;
+mod beam;
 mod certificate;
 mod charts;
 mod crossing;
@@ -95,6 +96,7 @@ mod rays;
 mod relax;
 mod room;
 mod seed;
+mod sheaf;
 mod shoot;
 mod solve;
 mod source;

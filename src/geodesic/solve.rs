@@ -11,10 +11,12 @@
 //! directions at the vertices (see `trace`).
 
 use super::aim::Aim;
-use super::charts::{BORDER, Chart, Charts};
+use super::beam::{Beam, Gate};
+use super::charts::{BORDER, Charts};
 use super::front::{Front, Next};
-use super::trim;
-use super::window::{SOURCE, Window};
+use super::laid::{self, V2};
+use super::sheaf::{Parting, Sheaf};
+use super::window::SOURCE;
 use crate::surface::{HalfEdge, Mesh, SurfacePoint};
 
 /// A target counts as inside a window that misses it by less than this share of the edge,
@@ -88,16 +90,7 @@ pub(super) struct Sweep<'a> {
     bound: f64,
     pub(super) aim: Aim,
     pub(super) front: &'a mut Front,
-    pub(super) scratch: Scratch,
-}
-
-/// Lists that every step of a sweep uses again.
-#[derive(Default)]
-pub(super) struct Scratch {
-    left: Vec<Window>,
-    pub(super) right: Vec<Window>,
-    /// Per window where its line to the opposite corner crosses the edge; NaN if it is beaten.
-    crossings: Vec<f64>,
+    parting: Parting,
 }
 
 impl<'a> Sweep<'a> {
@@ -134,7 +127,7 @@ impl<'a> Sweep<'a> {
             bound: aim.farthest(),
             aim,
             front,
-            scratch: Scratch::default(),
+            parting: Parting::default(),
         }
     }
 
@@ -145,7 +138,8 @@ impl<'a> Sweep<'a> {
         }
         self.start(source);
         let mut since_bound = 0;
-        while let Some((distance, next)) = self.front.pop(self.bound) {
+        // Keys of sheaves are not exact: whether one is beyond the bound is seen when its turn comes.
+        while let Some((distance, next)) = self.front.pop() {
             if let Until::Reached(vertices) = until {
                 since_bound += 1;
                 if since_bound == 16 {
@@ -154,14 +148,14 @@ impl<'a> Sweep<'a> {
                 }
             }
             match next {
-                Next::HalfEdge(h) => self.sweep(HalfEdge(h)),
-                Next::Vertex(v) => self.bend_at(v, distance),
+                Next::HalfEdge(h) => self.sweep(HalfEdge(h), distance),
+                Next::Vertex(v) if distance <= self.bound => self.bend_at(v, distance),
+                Next::Vertex(_) => {}
             }
         }
         if let Until::Reached(vertices) = until {
             self.bound = self.farthest(vertices);
         }
-        self.front.clear();
         Swept {
             distances: self.distances,
             approaches: self.approaches,
@@ -203,148 +197,109 @@ impl<'a> Sweep<'a> {
         }
     }
 
-    /// Carries the waiting windows of a half-edge across its face.
-    fn sweep(&mut self, h: HalfEdge) {
-        let Some((slot, windows)) = self.front.take(h.0) else {
+    /// Carries the waiting sheaf of a half-edge across its face.
+    fn sweep(&mut self, h: HalfEdge, nearest: f64) {
+        let Some(mut sheaf) = self.front.take(h.0) else {
             return;
         };
-        let chart = self.charts.chart(h);
         let corners = self.mesh.faces()[h.face() as usize];
-        let a = corners[h.corner()] as usize;
-        let b = corners[(h.corner() + 1) % 3] as usize;
-        let c = corners[(h.corner() + 2) % 3];
-        let apex = chart.apex();
-        let (at_a, at_b) = (self.distances[a], self.distances[b]);
-        let mut crossings = std::mem::take(&mut self.scratch.crossings);
-        crossings.clear();
-        let mut nearest = f64::INFINITY;
-        let mut best = 0;
-        for (i, w) in windows.iter().enumerate() {
-            let beaten_by_a = (at_a + w.b1) * CLEARLY < w.d1;
-            let beaten_by_b = (at_b + (chart.length - w.b0)) * CLEARLY < w.d0;
-            if beaten_by_a || beaten_by_b || w.nearest() > self.bound {
-                crossings.push(f64::NAN);
-                continue;
-            }
-            let to_c = w.crossing(apex);
-            crossings.push(to_c);
-            if let Some(distance) = straight(w, chart, apex, to_c)
-                && distance < nearest
-            {
-                nearest = distance;
-                best = i;
-            }
+        let [a, b, c] = [0, 1, 2].map(|i| corners[(h.corner() + i) % 3]);
+        let at = |v: u32| self.distances[v as usize];
+        if nearest > self.bound && !sheaf.settle([at(a), at(b)], self.bound) {
+            self.front.recycle(sheaf.beams);
+            return;
         }
-        if nearest < f64::INFINITY {
-            self.reach(c, nearest, approach(h, &windows[best]));
+        let gate = sheaf.gate;
+        let step = &self.charts.steps[h.0 as usize];
+        let corner = laid::apex(gate.left, gate.right, step);
+        let slack = WIDENING * gate.length;
+        let mut parting = std::mem::take(&mut self.parting);
+        let first = parting.at(&sheaf.beams, corner, slack, gate.length);
+        if let Some((distance, beam)) = first {
+            self.reach(c, distance, approach(h, &gate, &beam));
         }
-        self.meet_targets(h, &windows, &crossings);
-        let known = [at_a, at_b, self.distances[c as usize]];
-        if chart.left_exit != BORDER {
-            let limit = self.aim.limit(self.mesh, h.prev(), chart.left_length);
-            self.cross_left(&windows, &crossings, chart, known, limit);
-            self.front.arrive(chart.left_exit, &mut self.scratch.left);
-        }
-        if chart.right_exit != BORDER {
-            let limit = self.aim.limit(self.mesh, h.next(), chart.right_length);
-            self.cross_right(&windows, &crossings, chart, known, limit);
-            self.front.arrive(chart.right_exit, &mut self.scratch.right);
-        }
-        self.scratch.crossings = crossings;
-        self.front.recycle(slot, windows);
+        self.meet_targets(h, &sheaf);
+        let [left, right] = parting.divide(sheaf.beams, self.front.spare());
+        self.parting = parting;
+        let age = sheaf.age;
+        self.enter(
+            step.left_exit,
+            h.prev(),
+            left,
+            [gate.left, corner],
+            [a, c],
+            age,
+        );
+        self.enter(
+            step.right_exit,
+            h.next(),
+            right,
+            [corner, gate.right],
+            [c, b],
+            age,
+        );
     }
 
-    /// Offers the targets in the face above `h` the straight lines through the windows there.
-    fn meet_targets(&mut self, h: HalfEdge, windows: &[Window], crossings: &[f64]) {
+    /// Beams on one of the other edges of a face: they wait at the half-edge of the face beyond.
+    fn enter(
+        &mut self,
+        entry: u32,
+        exit: HalfEdge,
+        beams: Vec<Beam>,
+        places: [V2; 2],
+        ends: [u32; 2],
+        age: u32,
+    ) {
+        if entry == BORDER || beams.is_empty() {
+            self.front.recycle(beams);
+            return;
+        }
+        let mut sheaf = Sheaf {
+            beams,
+            gate: Gate::new(places[0], places[1]),
+            covers: [0.0; 2],
+            nearest: 0.0,
+            age,
+        };
+        let limit = self.aim.limit(self.mesh, exit, sheaf.gate.length);
+        sheaf.age(&mut self.front.lists);
+        let at = ends.map(|v| self.distances[v as usize]);
+        if sheaf.settle(at, limit.min(self.bound)) {
+            self.front.arrive(entry, sheaf);
+        } else {
+            self.front.recycle(sheaf.beams);
+        }
+    }
+
+    /// Offers the targets in the face above `h` the straight lines of the sheaf there.
+    fn meet_targets(&mut self, h: HalfEdge, sheaf: &Sheaf) {
+        let gate = &sheaf.gate;
         for i in self.targets_in(h.face()) {
             let target = &mut self.targets[self.targets_of_face[i].1 as usize];
             let Some(at) = self.charts.coordinates_above(self.mesh, h, &target.point) else {
                 continue; // on the edge itself: met in the face before
             };
-            let chart = self.charts.chart(h);
-            for (w, _) in windows.iter().zip(crossings).filter(|(_, c)| !c.is_nan()) {
-                if let Some(distance) = straight(w, chart, at, w.crossing(at))
-                    && distance < target.distance
-                {
-                    target.distance = distance;
-                    target.approach = approach(h, w);
+            let place = gate.place(at);
+            let slack = WIDENING * gate.length;
+            for beam in &sheaf.beams {
+                if beam.misses_left(place) <= slack && beam.misses_right(place) <= slack {
+                    let distance = beam.distance(place);
+                    if distance < target.distance {
+                        target.distance = distance;
+                        target.approach = approach(h, gate, beam);
+                    }
                 }
             }
         }
     }
-
-    /// Windows on the edge A→C of the face beyond.
-    fn cross_left(
-        &mut self,
-        windows: &[Window],
-        crossings: &[f64],
-        chart: &Chart,
-        at: [f64; 3],
-        limit: f64,
-    ) {
-        let bound = self.bound.min(limit);
-        let list = &mut self.scratch.left;
-        list.clear();
-        let [at_a, _, at_c] = at;
-        for (w, &to_c) in windows.iter().zip(crossings) {
-            if to_c.is_nan() || to_c <= w.b0 {
-                continue;
-            }
-            let end = (to_c > w.b1).then_some(w.b1);
-            if let Some(child) = w.through_left(chart, w.b0, end)
-                && (at_a + child.b1) * CLEARLY >= child.d1
-                && (at_c + (chart.left_length - child.b0)) * CLEARLY >= child.d0
-                && child.nearest() <= bound
-            {
-                trim::push(list, child);
-            }
-        }
-    }
-
-    /// Windows on the edge C→B of the face beyond.
-    fn cross_right(
-        &mut self,
-        windows: &[Window],
-        crossings: &[f64],
-        chart: &Chart,
-        at: [f64; 3],
-        limit: f64,
-    ) {
-        let bound = self.bound.min(limit);
-        let list = &mut self.scratch.right;
-        list.clear();
-        let [_, at_b, at_c] = at;
-        for (w, &to_c) in windows.iter().zip(crossings) {
-            if to_c.is_nan() || to_c >= w.b1 {
-                continue;
-            }
-            let begin = (to_c < w.b0).then_some(w.b0);
-            if let Some(child) = w.through_right(chart, begin, w.b1)
-                && (at_c + child.b1) * CLEARLY >= child.d1
-                && (at_b + (chart.right_length - child.b0)) * CLEARLY >= child.d0
-                && child.nearest() <= bound
-            {
-                trim::push(list, child);
-            }
-        }
-    }
 }
 
-fn approach(h: HalfEdge, w: &Window) -> Approach {
+fn approach(h: HalfEdge, gate: &Gate, beam: &Beam) -> Approach {
+    let [x, y] = gate.in_chart(beam.from);
     Approach {
         entry: h.0,
-        root: w.root,
-        x: w.x,
-        y: -w.depth,
+        root: beam.root,
+        x,
+        y,
     }
-}
-
-/// Distance of a point in the face above a window, if the straight line to it passes the window.
-fn straight(w: &Window, chart: &Chart, point: [f64; 2], crossing: f64) -> Option<f64> {
-    let rise = point[1] + w.depth;
-    let tolerance = WIDENING * chart.length * (w.depth / rise);
-    (crossing >= w.b0 - tolerance && crossing <= w.b1 + tolerance).then(|| {
-        let dx = point[0] - w.x;
-        w.sigma + (dx * dx + rise * rise).sqrt()
-    })
 }

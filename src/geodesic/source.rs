@@ -1,6 +1,7 @@
 //! Where windows begin: at the source, and at vertices where shortest paths bend.
 
 use super::aim::Opening;
+use super::sheaf::Sheaf;
 use super::solve::{Approach, CLEARLY, Sweep};
 use super::window::{SOURCE, Window};
 use crate::surface::{HalfEdge, SurfacePoint};
@@ -266,10 +267,10 @@ impl Sweep<'_> {
     /// A first window at a half-edge.
     fn emit(&mut self, h: HalfEdge, b: [f64; 2], x: f64, depth: f64, sigma: f64, root: u32) {
         if b[1] > b[0] && depth > 0.0 {
-            let list = &mut self.scratch.right;
-            list.clear();
-            list.push(Window::new(b, x, depth, sigma, root));
-            self.front.arrive(h.0, list);
+            let window = Window::new(b, x, depth, sigma, root);
+            let length = self.charts.chart(h).length;
+            let sheaf = Sheaf::single(self.front.spare(), &window, length);
+            self.front.arrive(h.0, sheaf);
         }
     }
 }

@@ -21,7 +21,7 @@ const TOUCHING: f64 = 1e-13;
 #[inline(always)]
 pub(super) fn push(list: &mut Vec<Window>, mut new: Window) {
     while let Some(last) = list.last_mut() {
-        if new.b0 >= last.b1 - TOUCHING * last.b1 {
+        if new.b0 >= last.b1 - TOUCHING * last.d1 {
             break;
         }
         if new.b1 <= last.b0 {
@@ -84,12 +84,12 @@ pub(super) fn merge(first: &[Window], second: &[Window], out: &mut Vec<Window>) 
     // Where the last piece of either list was put, to extend it when its next piece adjoins.
     let mut out = Pieces { out, last: None };
     while let (Some(mut a), Some(mut b)) = (one, two) {
-        if a.b1 <= b.b0 + TOUCHING * a.b1 {
+        if a.b1 <= b.b0 + TOUCHING * a.d1 {
             out.push(a, Side::First);
             one = firsts.next();
             continue;
         }
-        if b.b1 <= a.b0 + TOUCHING * b.b1 {
+        if b.b1 <= a.b0 + TOUCHING * b.d1 {
             out.push(b, Side::Second);
             two = seconds.next();
             continue;
