@@ -22,8 +22,6 @@ pub(super) struct Chart {
     pub(super) left_length: f64,
     /// Unit vector C→B.
     pub(super) right: [f64; 2],
-    /// |CB|, metres.
-    pub(super) right_length: f64,
 }
 
 impl Chart {
@@ -103,7 +101,6 @@ impl Charts {
                     left: unit(ab.dot(&ac), double_area),
                     left_length: left,
                     right: unit(ab.dot(&cb), -double_area),
-                    right_length: right,
                 });
                 let angle = libm::atan2(double_area, ab.dot(&ac));
                 angles.push(angle);

@@ -6,7 +6,7 @@
 //!
 //! | to get | use | cost at 20,000 faces, milliseconds |
 //! |---|---|---|
-//! | distances from a point, near or everywhere | [`Geodesics::field`], [`Field`] | 30 to 40 |
+//! | distances from a point, near or everywhere | [`Geodesics::field`], [`Field`] | 15 to 30 |
 //! | one path | [`Geodesics::shortest`] | 0.1 to 0.3 where it can be proven, else 3 to 12 |
 //! | all pairs of two rows of points | [`Geodesics::table`], [`Table`] | 0.01 to 0.03 a pair |
 //! | a path whose end moves | [`Geodesics::follow`], [`Follow`] | 0.01 a step |
@@ -19,15 +19,18 @@
 //! # Exact fields
 //! A *window* is an interval of an edge that straight lines from one root (the source, or a vertex
 //! where paths bend) reach through one sequence of faces (J. Mitchell, D. Mount, C. Papadimitriou
-//! 1987). Where the root lies when these faces are laid flat is all that is stored of them:
-//! coordinates in the frame of the edge, so that crossing a face takes no trigonometry (`window`,
-//! `charts`). Windows are swept over the faces in batches, a half-edge at a time, the nearest first
-//! (Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang 2016); those that a path through a corner beats are
-//! dropped (S. Xin, G. Wang 2009; `solve`), and of two that cover the same points the nearer one
-//! stays (`trim`). Saddles and border vertices become roots for their shadow (`source`). A window
-//! is forgotten once it has been swept: a solve holds the wave and not the surface behind it
-//! (`front`), some tens of bytes a face in all. Paths are followed back from the directions in which
-//! they arrive (`trace`) and laid straight in the strip of their faces (`strip`).
+//! 1987). Windows are swept over the faces in batches, all that wait at a half-edge at a time, the nearest
+//! first (Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang 2016). On the way nearly all of them only run on: so
+//! they are kept as *beams*, a root and two directions in a plane in which the faces ahead are laid
+//! out one after the other, and crossing a face leaves them as they are (`beam`). Only the corner
+//! ahead is looked at: the beams of an edge pass it on one side or the other, the nearest is divided
+//! there, and two lists from both sides of a corner are joined (`sheaf`). Every few faces beams are
+//! laid out as windows, of which the nearer one stays where two cover the same points (`trim`,
+//! `window`); those that a path through a corner beats are dropped (S. Xin, G. Wang 2009). Saddles
+//! and border vertices become roots for their shadow (`source`). A beam is forgotten once it has
+//! been swept: a solve holds the wave and not the surface behind it (`front`), some tens of bytes a
+//! face in all. Paths are followed back from the directions in which they arrive (`trace`) and laid
+//! straight in the strip of their faces (`strip`).
 //!
 //! Where lengths of some ways to the targets are known, windows that cannot lie on shorter ones,
 //! were the rest of the way straight in space, are not swept (`aim`).

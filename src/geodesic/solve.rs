@@ -1,13 +1,13 @@
-//! The wavefront: windows swept over the mesh in batches, one half-edge at a time.
+//! The wavefront: sheaves of beams swept over the mesh, one half-edge at a time.
 //!
-//! Pending windows wait at the half-edge through which they enter its face, as one sorted list
-//! without overlap. The half-edge with the nearest pending window is swept next: windows that a
-//! path through a corner of the face beats are dropped (Xin, Wang, *Improving Chen and Han's
-//! algorithm on the discrete geodesic problem*, 2009), the opposite corner gets its distance, and
-//! what remains is carried to the two other edges. Vertices where a shortest path can bend, i.e.
-//! saddles and the border, become sources of windows that fill their shadow.
+//! Pending beams wait at the half-edge through which they enter its face. The half-edge with about
+//! the nearest of them is swept next: the opposite corner gets its distance, the beams part there
+//! and wait at the two other edges, but for those that a path through a corner beats (Xin, Wang,
+//! *Improving Chen and Han's algorithm on the discrete geodesic problem*, 2009). Vertices where a
+//! shortest path can bend, i.e. saddles and the border, become sources of beams that fill their
+//! shadow.
 //!
-//! Nothing is kept of a window once it is swept; a path is found again from the arrival
+//! Nothing is kept of a beam once it is swept; a path is found again from the arrival
 //! directions at the vertices (see `trace`).
 
 use super::aim::Aim;

@@ -1,10 +1,9 @@
 //! Lists of windows without overlap: where two windows cover the same points, only the nearer
 //! one stays.
 //!
-//! Two rules. Windows that cross a face from one edge to another in a known order obey the rule
-//! of crossing paths (`push`): if their straight lines cross inside the face, the one that is
-//! nearer at the crossing serves both (Qin, Han, Yu, Yu, Zhang, *Fast and exact discrete
-//! geodesic computation based on triangle-oriented wavefront propagation*, 2016). Lists that meet
+//! Two rules. Windows that have crossed faces in a known order obey the rule of crossing paths
+//! (`push`): if their straight lines cross on the way, the one that is nearer at the crossing serves
+//! both (Qin, Han, Yu, Yu, Zhang, *Fast and exact discrete geodesic computation based on triangle-oriented wavefront propagation*, 2016). Lists that meet
 //! on an edge at different times are merged point by point (`merge`), which needs no order.
 //!
 //! Whatever is cut away is matched by a path that is as short up to rounding; overlap below
@@ -12,11 +11,11 @@
 
 use super::window::Window;
 
-/// Overlap below this share of the coordinates is contact: windows on both sides of a straight
-/// line through a vertex share that line up to rounding.
+/// Overlap below this share of the distance is contact: windows on both sides of a straight line
+/// through a vertex share that line up to rounding.
 const TOUCHING: f64 = 1e-13;
 
-/// Appends the window that lies right of all others where it entered the face.
+/// Appends the window that lay right of all others where they last did not overlap.
 #[expect(clippy::inline_always, reason = "a window stays in registers")]
 #[inline(always)]
 pub(super) fn push(list: &mut Vec<Window>, mut new: Window) {
