@@ -221,11 +221,9 @@ const MAX_STEPS: u32 = 60;
 fn separation(a: &Window, b: &Window, [mut low, mut high]: [f64; 2], gaps: [f64; 2]) -> f64 {
     let chord = gaps[0] / (gaps[0] - gaps[1]);
     let mut at = low + (high - low) * chord;
-    if !(at > low && at < high) {
-        return 0.5 * (low + high);
-    }
-    if a.sigma == b.sigma {
-        return at;
+    // A tie at one end, not in the middle: half of the interval would go to the farther window.
+    if a.sigma == b.sigma || at <= low || at >= high {
+        return at.clamp(low, high);
     }
     for _ in 0..MAX_STEPS {
         let (to_a, to_b) = (at - a.x, at - b.x);

@@ -390,3 +390,26 @@ fn a_face_of_no_area_is_crossed() {
         );
     }
 }
+
+#[test]
+fn two_ways_that_tie_at_a_vertex_leave_the_points_beyond_to_the_nearer_one() {
+    // A flat grid full of holes, where ways on both sides of a hole are as long to the bit.
+    let hole = |i: usize, j: usize| (i * 7 + j * 13 + 506) % 9 == 0 && i > 0 && j > 0;
+    let mesh = jittered(
+        [40, 10],
+        [2.0, 2.0],
+        0.0,
+        506,
+        |i, j| !hole(i, j),
+        |_, _| 0.0,
+    );
+    let geodesics = Geodesics::new(&mesh);
+    let [from, to] = [192, 403].map(SurfacePoint::Vertex);
+    // Round the corner at (0.45, 0.2).
+    let truth = 0.05_f64.hypot(0.4) + 0.25_f64.hypot(0.6);
+    for (from, to) in [(from, to), (to, from)] {
+        let field = geodesics.field(&from, Reach::Everywhere).unwrap();
+        let found = field.distance(&to).unwrap();
+        assert!((found - truth).abs() < 1e-13, "{found} instead of {truth}");
+    }
+}
