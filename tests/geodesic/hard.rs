@@ -394,7 +394,7 @@ fn a_face_of_no_area_is_crossed() {
 #[test]
 fn two_ways_that_tie_at_a_vertex_leave_the_points_beyond_to_the_nearer_one() {
     // A flat grid full of holes, where ways on both sides of a hole are as long to the bit.
-    let hole = |i: usize, j: usize| (i * 7 + j * 13 + 506) % 9 == 0 && i > 0 && j > 0;
+    let hole = |i: usize, j: usize| (i * 7 + j * 13 + 506).is_multiple_of(9) && i > 0 && j > 0;
     let mesh = jittered(
         [40, 10],
         [2.0, 2.0],
