@@ -152,7 +152,7 @@ fn mesh(surface: &str, faces: u32) -> Mesh {
             "cap" => (4.0 - x * x - y * y).sqrt(),
             "torus" => {
                 let aside = (x * x + (y + 1.6) * (y + 1.6)).sqrt() - 1.6;
-                (0.9 * 0.9 - aside * aside).max(0.0).sqrt()
+                (1.0 - aside * aside).sqrt()
             }
             "bump" => 0.25 * libm::exp(-8.0 * (x * x + y * y)),
             _ => 0.3 * x * x + 0.1 * x * y,

@@ -221,7 +221,7 @@ impl<'a> Draft<'a> {
             .map(|&j| (self.to[j], cells[j].arrival.length))
             .collect();
         let range = self.range(i, &cells);
-        let shorter = self.geodesics.shorter(from, &known, range);
+        let shorter = self.geodesics.shorter(from, &known, range)?;
         for (j, shorter) in open.into_iter().zip(shorter) {
             match shorter {
                 Some(path) => cells[j] = exact(&path),

@@ -284,13 +284,13 @@ impl Heights {
         self.at[i].max(self.at[i + 1])
     }
 
-    /// The bound at a share of the path, or of one beside it: places of two such paths may be one
-    /// apart.
-    pub(super) fn over(&self, share: f64) -> f64 {
-        let place = share.clamp(0.0, 1.0) * PLACES as f64;
-        let i = (place as usize).min(PLACES - 1);
-        let around = &self.at[i.saturating_sub(1)..=(i + 2).min(PLACES)];
-        around.iter().fold(0.0, |a, &b| a.max(b))
+    /// By places the bound between each and the next, times a factor, for this path or one beside
+    /// it: places of two such paths may be one apart.
+    pub(super) fn limits(&self, factor: f64) -> [f64; PLACES] {
+        std::array::from_fn(|i| {
+            let around = &self.at[i.saturating_sub(1)..=(i + 2).min(PLACES)];
+            factor * around.iter().fold(0.0_f64, |a, &b| a.max(b))
+        })
     }
 }
 

@@ -226,7 +226,7 @@ impl<'m> Geodesics<'m> {
             Some((path, true)) => Ok(path),
             Some((path, false)) => {
                 let known = [(to, path.length)];
-                let shorter = self.shorter(&from, &known, None).pop().flatten();
+                let shorter = self.shorter(&from, &known, None)?.pop().flatten();
                 Ok(shorter.unwrap_or(path))
             }
         }
@@ -239,15 +239,17 @@ impl<'m> Geodesics<'m> {
         from: &SurfacePoint,
         known: &[(SurfacePoint, f64)],
         range: Option<Range>,
-    ) -> Vec<Option<Path>> {
+    ) -> Result<Vec<Option<Path>>, GeodesicError> {
         let targets: Vec<SurfacePoint> = known.iter().map(|k| k.0).collect();
         let mut aim = Aim::new(self.mesh, known);
         aim.range = range;
         let swept = self.sweep_to(from, &targets, aim);
         let field = Field::new(self, *from, swept);
-        let shorter = |(to, length): &(SurfacePoint, f64)| {
-            let path = field.path_to(to).ok()?;
-            (path.length < length * (1.0 - SAME)).then_some(path)
+        let shorter = |(to, length): &(SurfacePoint, f64)| match field.distance(to) {
+            Ok(distance) if distance < length * (1.0 - SAME) => field.path_to(to).map(Some),
+            // Whatever leads there was too long to be followed.
+            Ok(_) | Err(GeodesicError::Unreachable { .. }) => Ok(None),
+            Err(error) => Err(error),
         };
         known.iter().map(shorter).collect()
     }

@@ -89,7 +89,13 @@ impl Near {
             return None;
         }
         let slack = SLACK + LEAN * heights.turn;
-        let below = |height: f64, along: f64| height < slack * heights.over(along / length);
+        let limits = heights.limits(slack);
+        let places = limits.len() as f64 / length;
+        let below = |height: f64, along: f64| {
+            // Before the begin and beyond the end the outermost limits hold.
+            let place = (along * places) as usize;
+            height < limits[place.min(limits.len() - 1)]
+        };
         self.found.clear();
         self.seen.begin(mesh.positions().len());
         let mut last = u32::MAX;

@@ -45,8 +45,9 @@ impl Geodesics<'_> {
     /// so that paths of neighbours lie close together.
     ///
     /// # Errors
-    /// Those of [`Geodesics::field`] and [`Field::path_to`](super::Field::path_to), for the first
-    /// pair that has one; so a point of one row may not be one of the other's.
+    /// [`GeodesicError::Coincident`] where a point of one row is one of the other's; else those of
+    /// [`Geodesics::field`] and [`Field::path_to`](super::Field::path_to), for the first pair that
+    /// has one.
     pub fn table(
         &self,
         from: &[SurfacePoint],
@@ -56,6 +57,10 @@ impl Geodesics<'_> {
             return Err(GeodesicError::DegenerateFace { face });
         }
         let (from, to) = (self.all_checked(from)?, self.all_checked(to)?);
+        // A path back to where it began may be shortest among its neighbours, but is no pair's.
+        if let Some(&point) = to.iter().find(|point| from.contains(point)) {
+            return Err(GeodesicError::Coincident { point });
+        }
         let grounds = self.grounds();
         let draft = Draft {
             geodesics: self,

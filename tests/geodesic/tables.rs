@@ -261,6 +261,18 @@ fn tables_that_cannot_be_are_errors() {
         error(&[here, there], &[there]),
         GeodesicError::Coincident { point: there }
     );
+    // On a rough surface a loop may be shortest among its neighbours.
+    let rough = jittered([6, 6], [6.0, 6.0], 0.2, 3, all, |x, y| 3.0 * (x * y).sin());
+    let middles = [30, 31, 32].map(|face| SurfacePoint::Face {
+        face,
+        bary: [1.0 / 3.0; 3],
+    });
+    assert_eq!(
+        Geodesics::new(&rough)
+            .table(&middles[..2], &middles[1..])
+            .unwrap_err(),
+        GeodesicError::Coincident { point: middles[1] }
+    );
     let nowhere = SurfacePoint::Edge {
         half_edge: HalfEdge(99),
         at: 0.5,
