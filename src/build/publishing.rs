@@ -3,7 +3,7 @@
 use super::declare::Instance;
 use super::engine::Engine;
 use super::event::Event;
-use super::publish::{Claim, Claimed, Publication, Publishing, inspect, manifest_stands};
+use super::publish::{Claim, Claimed, Publication, Publishing, inspect, is_swept, manifest_stands};
 use super::request::{OutputCheck, Request};
 use super::session::{Conditions, Publisher, Session};
 use super::store::worktree::Outputs;
@@ -40,7 +40,9 @@ impl Engine {
                 .map(|record| &record.owner)
                 .filter(|owner| session.is_whole() && !session.publishes(owner))
                 .collect();
-            let stands = standing.iter().all(|&stands| stands) && manifest_stands(directory, old);
+            let stands = standing.iter().all(|&stands| stands)
+                && manifest_stands(directory, old)
+                && is_swept(directory, old);
             if stands && gone.is_empty() {
                 let files = old.publications.iter().map(|one| one.files.len());
                 let publication = Publication {

@@ -128,6 +128,20 @@ fn a_lost_file_is_written_again_without_running_anything() {
 }
 
 #[test]
+fn what_a_killed_build_left_behind_goes_even_if_there_is_nothing_to_write() {
+    let workshop = Workshop::new();
+    let design = Design::default();
+    workshop.build(&design);
+    for name in [".egg-tmp-a1b2c3", "drawings/.egg-tmp-d4e5f6"] {
+        fs::write(workshop.settings.output.join(name), "half").expect("written");
+    }
+    let built = workshop.build(&design);
+    assert!(built.succeeded() && ran(&built).is_empty());
+    assert!(built.publication.written.is_empty() && built.publication.removed.is_empty());
+    assert_eq!(workshop.outputs(), clean(&design));
+}
+
+#[test]
 fn an_edited_file_is_replaced_with_a_warning() {
     let workshop = Workshop::new();
     let design = Design::default();

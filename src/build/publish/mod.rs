@@ -22,6 +22,7 @@ pub use files::{Files, OutputFile};
 pub use manifest::MANIFEST;
 pub(super) use manifest::owner_name;
 pub(super) use replace::Publishing;
+pub(super) use stale::is_swept;
 
 use super::key::Digest;
 use super::reason::Reason;

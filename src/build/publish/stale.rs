@@ -3,6 +3,7 @@
 
 use super::super::key::Digest;
 use super::super::store::sealed::TEMPORARY_PREFIX;
+use super::super::store::worktree::Outputs;
 use super::Publication;
 use super::claim::{Claim, Claimed};
 use super::manifest::{Manifest, Written, owner_name};
@@ -11,7 +12,7 @@ use super::replace::{Publishing, unwritable};
 use crate::diagnostics::{Code, Diagnostic};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// What becomes of a file that nobody claims.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -150,24 +151,37 @@ impl Publishing<'_> {
 
     /// Removes temporary files of builds that were killed while they published.
     pub(super) fn sweep(&self, old: &Manifest) {
-        let mut folders: BTreeSet<&Path> = BTreeSet::from([Path::new("")]);
         let claimed = self.claims.iter().flat_map(Claim::paths);
-        folders.extend(
-            claimed
-                .chain(old.files.keys().map(String::as_str))
-                .filter(|path| fault(path).is_none())
-                .filter_map(|path| Path::new(path).parent()),
-        );
-        for folder in folders {
-            let Ok(entries) = fs::read_dir(self.directory.join(folder)) else {
-                continue;
-            };
-            for entry in entries.flatten() {
-                let name = entry.file_name();
-                if name.to_string_lossy().starts_with(TEMPORARY_PREFIX) {
-                    fs::remove_file(entry.path()).ok();
-                }
-            }
+        let known = claimed.chain(old.files.keys().map(String::as_str));
+        for file in temporary_files(self.directory, known) {
+            fs::remove_file(file).ok();
         }
     }
+}
+
+/// Temporary files beside those that egg writes, of builds that were killed or are at work.
+fn temporary_files<'a>(directory: &Path, paths: impl Iterator<Item = &'a str>) -> Vec<PathBuf> {
+    let mut folders: BTreeSet<&Path> = BTreeSet::from([Path::new("")]);
+    folders.extend(
+        paths
+            .filter(|path| fault(path).is_none())
+            .filter_map(|path| Path::new(path).parent()),
+    );
+    let entries = folders
+        .into_iter()
+        .filter_map(|folder| fs::read_dir(directory.join(folder)).ok())
+        .flat_map(Iterator::flatten);
+    entries
+        .filter(|entry| {
+            let name = entry.file_name();
+            name.to_string_lossy().starts_with(TEMPORARY_PREFIX)
+        })
+        .map(|entry| entry.path())
+        .collect()
+}
+
+/// Whether no build has left temporary files beside those that are recorded.
+pub(in super::super) fn is_swept(directory: &Path, outputs: &Outputs) -> bool {
+    let files = outputs.publications.iter().flat_map(|one| &one.files);
+    temporary_files(directory, files.map(|file| file.path.as_str())).is_empty()
 }
