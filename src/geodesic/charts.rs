@@ -65,9 +65,10 @@ pub(super) struct Charts {
     pub(super) degenerate: Option<u32>,
 }
 
-/// A vertex whose angles exceed the full turn by less casts a shadow narrower than what a target
-/// is widened by anyway (`solve::WIDENING`), and lets paths pass straight.
-const FLAT: f64 = 1e-11;
+/// A vertex whose angles exceed the full turn by less lets paths pass straight: even behind a row of
+/// such vertices its shadow stays narrower than what a target is widened by anyway
+/// (`solve::WIDENING`). A shadow grows with the way, so this is little more than rounding.
+const FLAT: f64 = 1e-14;
 
 impl Charts {
     pub(super) fn new(mesh: &Mesh) -> Self {

@@ -3,6 +3,7 @@
 use crate::brute;
 use crate::meshes::{Random, all, bipyramid, compact, cylinder, grid, jittered};
 use egg::geodesic::{GeodesicError, Geodesics, Reach};
+use egg::surface::generate::{Grid, Pattern};
 use egg::surface::{HalfEdge, Mesh, Point3, SurfacePoint};
 
 fn mesh(points: &[[f64; 3]], faces: &[[u32; 3]]) -> Mesh {
@@ -411,5 +412,38 @@ fn two_ways_that_tie_at_a_vertex_leave_the_points_beyond_to_the_nearer_one() {
         let field = geodesics.field(&from, Reach::Everywhere).unwrap();
         let found = field.distance(&to).unwrap();
         assert!((found - truth).abs() < 1e-13, "{found} instead of {truth}");
+    }
+}
+
+#[test]
+fn behind_rows_of_saddles_as_flat_as_rounding_every_vertex_is_reached() {
+    // A hill runs out: along its axis the excess of the saddles falls through all orders.
+    let grid = Grid {
+        u: [-22.0, 22.0],
+        v: [-3.5, 3.5],
+        cells: [88, 14],
+        pattern: Pattern::Alternating,
+    };
+    let mesh = grid.mesh(|x, y| {
+        let square = (x + 9.0) * (x + 9.0) + y * y;
+        Point3::new(x, y, 3.2 * (-square / 18.0).exp())
+    });
+    let geodesics = Geodesics::new(&mesh);
+    let axis: Vec<u32> = (0..mesh.vertex_count())
+        .filter(|&v| mesh.position(v).y == 0.0)
+        .collect();
+    let distances = |from: u32| -> Vec<f64> {
+        let field = geodesics
+            .field(&SurfacePoint::Vertex(from), Reach::Everywhere)
+            .unwrap();
+        let all = (0..mesh.vertex_count()).map(|v| field.vertex_distance(v));
+        all.map(|distance| distance.expect("reached")).collect()
+    };
+    let rows: Vec<Vec<f64>> = axis.iter().map(|&v| distances(v)).collect();
+    for (i, &v) in axis.iter().enumerate() {
+        for (j, &w) in axis.iter().enumerate() {
+            let (there, back) = (rows[i][w as usize], rows[j][v as usize]);
+            assert!((there - back).abs() <= 1e-12 * there, "{v} {w}");
+        }
     }
 }

@@ -18,7 +18,7 @@ use serde::Serialize;
 /// The distance map of a family.
 pub(in crate::build) const DISTANCES: Stage<Family, Node<Domain>, DistanceTable> = Stage {
     name: "distances",
-    version: 3,
+    version: 4,
     numerics: Numerics::Portable,
     run: |family, domain, _| {
         let (table, unproved) =
