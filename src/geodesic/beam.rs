@@ -4,7 +4,7 @@
 //! intersections and two distances. A beam is the same bundle of straight lines as a root and two
 //! outermost directions in a plane: crossing a face leaves it as it is.
 
-use super::laid::{V2, cross, dot, norm, sub};
+use super::laid::{V2, along, cross, norm, placed, sub, turned_to};
 use super::window::Window;
 
 /// Straight lines from one root between two directions. One cache line.
@@ -67,19 +67,14 @@ impl Gate {
     }
 
     /// Image of a point of the edge's chart.
-    pub(super) fn place(&self, [x, y]: V2) -> V2 {
-        let [ux, uy] = self.along;
-        [
-            self.left[0] + ux * x - uy * y,
-            self.left[1] + uy * x + ux * y,
-        ]
+    pub(super) fn place(&self, point: V2) -> V2 {
+        placed(self.left, self.along, point)
     }
 
     /// The point of the edge's chart with an image.
     #[inline]
     pub(super) fn in_chart(&self, place: V2) -> V2 {
-        let from_a = sub(place, self.left);
-        [dot(self.along, from_a), cross(self.along, from_a)]
+        along(self.along, sub(place, self.left))
     }
 }
 
@@ -93,18 +88,16 @@ pub(super) struct Motion {
 
 impl Motion {
     pub(super) fn new(from: &Gate, to: &Gate) -> Self {
-        let ([fx, fy], [tx, ty]) = (from.along, to.along);
         Self {
             from: from.left,
             to: to.left,
-            turn: [tx * fx + ty * fy, ty * fx - tx * fy],
+            turn: along(from.along, to.along),
         }
     }
 
     #[inline]
-    fn turned(&self, [x, y]: V2) -> V2 {
-        let [c, s] = self.turn;
-        [x * c - y * s, x * s + y * c]
+    fn turned(&self, v: V2) -> V2 {
+        turned_to(v, self.turn)
     }
 
     /// A beam in the other plane.
@@ -141,10 +134,10 @@ impl Beam {
         let [x, y] = gate.in_chart(self.from);
         let depth = -y;
         let meets = |ray: V2| {
-            let (along, up) = (dot(gate.along, ray), cross(gate.along, ray));
+            let [onward, up] = along(gate.along, ray);
             if up > 0.0 {
-                (x + depth * (along / up)).clamp(0.0, gate.length)
-            } else if along > 0.0 {
+                (x + depth * (onward / up)).clamp(0.0, gate.length)
+            } else if onward > 0.0 {
                 gate.length
             } else {
                 0.0
@@ -165,6 +158,12 @@ impl Beam {
     #[inline]
     pub(super) fn misses_right(&self, point: V2) -> f64 {
         cross(sub(point, self.from), self.right)
+    }
+
+    /// Whether a point lies between the outermost lines, or misses them by less than a slack, metres.
+    #[inline]
+    pub(super) fn covers(&self, point: V2, slack: f64) -> bool {
+        self.misses_left(point) <= slack && self.misses_right(point) <= slack
     }
 
     /// Distance of a point on one of the lines from the source, metres.

@@ -44,9 +44,27 @@ pub(super) enum Turn {
 }
 
 /// A direction turned to the left by an angle, radians.
-pub(super) fn turned([x, y]: V2, angle: f64) -> V2 {
+pub(super) fn turned(v: V2, angle: f64) -> V2 {
     let (s, c) = libm::sincos(angle);
+    turned_to(v, [c, s])
+}
+
+/// A vector turned as an axis, of length 1, is turned from the first direction of the plane.
+#[inline]
+pub(super) fn turned_to([x, y]: V2, [c, s]: V2) -> V2 {
     [x * c - y * s, x * s + y * c]
+}
+
+/// A vector along and across an axis, of length 1: turned back.
+#[inline]
+pub(super) fn along(axis: V2, v: V2) -> V2 {
+    [dot(axis, v), cross(axis, v)]
+}
+
+/// A point along and across an axis, of length 1, that begins at an origin.
+#[inline]
+pub(super) fn placed([ox, oy]: V2, [ux, uy]: V2, [x, y]: V2) -> V2 {
+    [ox + ux * x - uy * y, oy + uy * x + ux * y]
 }
 
 /// A face in the plane, seen over the half-edge by which it was entered: who walks into it has
@@ -77,24 +95,18 @@ impl Laid {
     }
 
     /// Image of a point of the entry's chart.
-    pub(super) fn place(&self, charts: &Charts, [x, y]: V2) -> V2 {
-        let [ux, uy] = self.axis(charts);
-        [
-            self.left[0] + ux * x - uy * y,
-            self.left[1] + uy * x + ux * y,
-        ]
+    pub(super) fn place(&self, charts: &Charts, point: V2) -> V2 {
+        placed(self.left, self.axis(charts), point)
     }
 
     /// A direction of the plane in the entry's chart.
-    pub(super) fn in_chart(&self, charts: &Charts, [x, y]: V2) -> V2 {
-        let [ux, uy] = self.axis(charts);
-        [ux * x + uy * y, ux * y - uy * x]
+    pub(super) fn in_chart(&self, charts: &Charts, direction: V2) -> V2 {
+        along(self.axis(charts), direction)
     }
 
     /// A direction of the entry's chart in the plane.
-    pub(super) fn in_plane(&self, charts: &Charts, [x, y]: V2) -> V2 {
-        let [ux, uy] = self.axis(charts);
-        [ux * x - uy * y, uy * x + ux * y]
+    pub(super) fn in_plane(&self, charts: &Charts, direction: V2) -> V2 {
+        turned_to(direction, self.axis(charts))
     }
 
     /// One end of the entry.

@@ -19,8 +19,8 @@
 //! # Exact fields
 //! A *window* is an interval of an edge that straight lines from one root (the source, or a vertex
 //! where paths bend) reach through one sequence of faces (J. Mitchell, D. Mount, C. Papadimitriou
-//! 1987). Windows are swept over the faces in batches, all that wait at a half-edge at a time, the nearest
-//! first (Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang 2016). On the way nearly all of them only run on: so
+//! 1987). Windows are swept over the faces in batches, all that wait at a half-edge at a time, the
+//! nearest first (Y. Qin, X. Han, H. Yu, Y. Yu, J. Zhang 2016). On the way nearly all of them only run on: so
 //! they are kept as *beams*, a root and two directions in a plane in which the faces ahead are laid
 //! out one after the other, and crossing a face leaves them as they are (`beam`). Only the corner
 //! ahead is looked at: the beams of an edge pass it on one side or the other, the nearest is divided

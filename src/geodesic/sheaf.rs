@@ -76,7 +76,7 @@ impl Parting {
         let between = &beams[self.lefts..self.rights];
         let mut first: Option<(f64, usize)> = None;
         for (i, w) in between.iter().enumerate() {
-            if w.misses_left(corner) <= slack && w.misses_right(corner) <= slack {
+            if w.covers(corner, slack) {
                 let distance = w.distance(corner);
                 if first.is_none_or(|(least, _)| distance < least) {
                     first = Some((distance, i));

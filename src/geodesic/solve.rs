@@ -282,7 +282,7 @@ impl<'a> Sweep<'a> {
             let place = gate.place(at);
             let slack = WIDENING * gate.length;
             for beam in &sheaf.beams {
-                if beam.misses_left(place) <= slack && beam.misses_right(place) <= slack {
+                if beam.covers(place, slack) {
                     let distance = beam.distance(place);
                     if distance < target.distance {
                         target.distance = distance;

@@ -1,6 +1,7 @@
 //! Straight lines through strips of faces laid out in the plane.
 
 use super::charts::Charts;
+use super::laid::{V2, along, cross, norm, placed, sub};
 use crate::surface::{HalfEdge, Mesh, SurfacePoint, Tangent};
 
 /// A straight line through a strip of faces.
@@ -88,12 +89,12 @@ pub(super) fn line(
 
 /// Where a chart lies in the plane of the strip.
 struct Frame {
-    origin: [f64; 2],
-    axis: [f64; 2],
+    origin: V2,
+    axis: V2,
 }
 
 impl Frame {
-    fn along(origin: [f64; 2], target: [f64; 2]) -> Self {
+    fn along(origin: V2, target: V2) -> Self {
         let along = sub(target, origin);
         let length = norm(along);
         Self {
@@ -102,28 +103,11 @@ impl Frame {
         }
     }
 
-    fn place(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let [c, s] = self.axis;
-        [
-            self.origin[0] + x * c - y * s,
-            self.origin[1] + x * s + y * c,
-        ]
+    fn place(&self, point: V2) -> V2 {
+        placed(self.origin, self.axis, point)
     }
 
-    fn turn_back(&self, [x, y]: [f64; 2]) -> [f64; 2] {
-        let [c, s] = self.axis;
-        [x * c + y * s, y * c - x * s]
+    fn turn_back(&self, direction: V2) -> V2 {
+        along(self.axis, direction)
     }
-}
-
-fn sub(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
-}
-
-fn cross(a: [f64; 2], b: [f64; 2]) -> f64 {
-    a[0] * b[1] - a[1] * b[0]
-}
-
-fn norm(a: [f64; 2]) -> f64 {
-    (a[0] * a[0] + a[1] * a[1]).sqrt()
 }

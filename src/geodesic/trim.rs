@@ -3,8 +3,9 @@
 //!
 //! Two rules. Windows that have crossed faces in a known order obey the rule of crossing paths
 //! (`push`): if their straight lines cross on the way, the one that is nearer at the crossing serves
-//! both (Qin, Han, Yu, Yu, Zhang, *Fast and exact discrete geodesic computation based on triangle-oriented wavefront propagation*, 2016). Lists that meet
-//! on an edge at different times are merged point by point (`merge`), which needs no order.
+//! both (Qin, Han, Yu, Yu, Zhang, *Fast and exact discrete geodesic computation based on
+//! triangle-oriented wavefront propagation*, 2016). Lists that meet on an edge at different times
+//! are merged point by point (`merge`), which needs no order.
 //!
 //! Whatever is cut away is matched by a path that is as short up to rounding; overlap below
 //! [`TOUCHING`] is left alone.
