@@ -1,26 +1,16 @@
 //! A table in the making: paths are followed from pair to pair and proven on the way; what is open
 //! in the end is solved, a row at a time.
 
-use super::certificate::Grounds;
-use super::heights::Heights;
+use super::blocks::{BLOCK, Blocks};
 use super::laid::Laid;
 use super::room::Room;
 use super::table::Known;
-use super::trail::Trail;
 use super::unrolled::Tight;
 use super::walk::Walk;
-use super::{Arrival, GeodesicError, Geodesics, Path};
+use super::{Arrival, GeodesicError, Geodesics, Path, SAME};
 use crate::surface::SurfacePoint;
 use rayon::prelude::*;
-
-/// Rows and columns of a block whose paths share one bound.
-const BLOCK: usize = 4;
-
-/// Paths of a block keep within this share of the distance of their ends from the middle one's.
-const TUBE: f64 = 1.15;
-
-/// Blocks that are wider than this share of their paths are no neighbours.
-const WIDEST: f64 = 0.06;
+use std::sync::OnceLock;
 
 /// A pair.
 #[derive(Debug, Clone, Copy)]
@@ -29,6 +19,44 @@ pub(super) struct Cell {
     pub(super) kind: Known,
     /// For a shorter path.
     pub(super) room: Room,
+    /// A longer one on another branch, if the path is not proven.
+    pub(super) other: Option<Arrival>,
+}
+
+impl Cell {
+    /// Of a path that is proven to be the shortest.
+    pub(super) fn proven(path: &Tight) -> Self {
+        Self {
+            arrival: path.arrival(),
+            kind: Known::Proven,
+            room: Room([0.0; 2]),
+            other: None,
+        }
+    }
+
+    /// What two branches tell of a pair.
+    fn or(self, other: Self) -> Self {
+        let (short, long) = if other.arrival.length < self.arrival.length {
+            (other, self)
+        } else {
+            (self, other)
+        };
+        if other.kind == Known::Proven {
+            return other;
+        }
+        let apart = long.arrival.length > short.arrival.length * (1.0 + SAME);
+        Self {
+            other: apart.then_some(long.arrival),
+            ..short
+        }
+    }
+}
+
+/// An end of the row of columns.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum End {
+    First,
+    Last,
 }
 
 /// A table in the making.
@@ -36,48 +64,66 @@ pub(super) struct Draft<'a> {
     pub(super) geodesics: &'a Geodesics<'a>,
     pub(super) from: &'a [SurfacePoint],
     pub(super) to: &'a [SurfacePoint],
+    begins: [OnceLock<Vec<Option<Arrival>>>; 2],
 }
 
 impl<'a> Draft<'a> {
+    /// Of all pairs of two rows of checked points.
+    pub(super) fn new(
+        geodesics: &'a Geodesics<'a>,
+        from: &'a [SurfacePoint],
+        to: &'a [SurfacePoint],
+    ) -> Self {
+        Self {
+            geodesics,
+            from,
+            to,
+            begins: Default::default(),
+        }
+    }
+
     /// Follows paths from pair to pair; `None` where they are lost.
     pub(super) fn follow(&self) -> Vec<Vec<Option<Cell>>> {
-        let begins = self.begins();
-        let blocks: Vec<usize> = (0..self.from.len()).step_by(BLOCK).collect();
-        blocks
+        let begins: Vec<usize> = (0..self.from.len()).step_by(BLOCK).collect();
+        begins
             .into_par_iter()
             .flat_map_iter(|first| {
                 let last = (first + BLOCK).min(self.from.len());
-                let bounds = self.bounds(first, last, &begins);
-                let row = |i: usize| self.row(i, begins[i].as_ref(), &bounds);
-                (first..last).map(row).collect::<Vec<_>>()
+                let blocks = Blocks::new(self, first..last);
+                (first..last)
+                    .map(|i| self.row(i, &blocks))
+                    .collect::<Vec<_>>()
             })
             .collect()
     }
 
-    /// How paths to the first column leave each row's point.
-    fn begins(&self) -> Vec<Option<Arrival>> {
-        let mut begins = vec![None; self.from.len()];
-        let (Some(first), Some(target)) = (self.from.first(), self.to.first()) else {
-            return begins;
-        };
-        let geodesics = self.geodesics;
-        if first == target {
-            return begins;
-        }
-        let path = geodesics.near_path(first, target);
-        let walk = Walk::new(geodesics.mesh, &geodesics.charts, target);
-        let (Some((path, _)), Some(mut walk)) = (path, walk) else {
-            return begins;
-        };
-        let mut last = walk.take_up(&path);
-        for (begin, source) in begins.iter_mut().zip(self.from) {
-            let Some(here) = last else { break };
-            if let Some(tight) = walk.step(&here, source) {
-                *begin = Some(tight.arrival_reversed());
-                last = Some(tight.last);
+    /// How paths to the first or the last column leave each row's point.
+    pub(super) fn begins(&self, end: End) -> &[Option<Arrival>] {
+        self.begins[end as usize].get_or_init(|| {
+            let target = match end {
+                End::First => self.to.first(),
+                End::Last => self.to.last(),
+            };
+            let mut begins = vec![None; self.from.len()];
+            let (Some(first), Some(target)) = (self.from.first(), target) else {
+                return begins;
+            };
+            let geodesics = self.geodesics;
+            let path = geodesics.near_path(first, target);
+            let walk = Walk::new(geodesics.mesh, &geodesics.charts, target);
+            let (Some((path, _)), Some(mut walk)) = (path, walk) else {
+                return begins;
+            };
+            let mut last = walk.take_up(&path);
+            for (begin, source) in begins.iter_mut().zip(self.from) {
+                let Some(here) = last else { break };
+                if let Some(tight) = walk.step(&here, source) {
+                    *begin = Some(tight.arrival_reversed());
+                    last = Some(tight.last);
+                }
             }
-        }
-        begins
+            begins
+        })
     }
 
     /// A walk from a row's point, and where its path to a column ends that is known.
@@ -88,101 +134,115 @@ impl<'a> Draft<'a> {
         Some((walk, last))
     }
 
-    /// Per block of columns bounds of other geodesics beside the paths of rows, and the trail near
-    /// which these have to keep.
-    fn bounds(&self, first: usize, last: usize, begins: &[Option<Arrival>]) -> Vec<Option<Bound>> {
-        let blocks = self.to.len().div_ceil(BLOCK);
-        let mut bounds = vec![None; blocks];
-        if self.geodesics.grounds() == Grounds::Unique {
-            return bounds;
+    /// The pairs of a row: followed from its first column, and where paths are not proven to be
+    /// the shortest also from its last, since another branch may lead there.
+    fn row(&self, i: usize, blocks: &Blocks<'_, 'a>) -> Vec<Option<Cell>> {
+        let count = self.to.len();
+        let mut row = vec![None; count];
+        self.pass(i, 0..count, End::First, blocks, &mut row);
+        let open = |cell: &Option<Cell>| cell.is_none_or(|cell| cell.kind == Known::Open);
+        if let Some(first) = row.iter().position(open) {
+            self.pass(i, (first..count).rev(), End::Last, blocks, &mut row);
         }
-        let masses = self.geodesics.masses();
-        let mesh = self.geodesics.mesh;
-        let middle = usize::midpoint(first, last);
-        let Some((mut walk, mut here)) = begins[middle]
-            .as_ref()
-            .and_then(|begin| self.walk_to(middle, 0, begin))
-        else {
-            return bounds;
-        };
-        let far = |points: &[SurfacePoint], from: usize, to: usize, middle: usize| {
-            let at = points[middle].position(mesh);
-            let far = points[from..to]
-                .iter()
-                .map(|p| (p.position(mesh) - at).norm());
-            far.fold(0.0, f64::max)
-        };
-        for (block, bound) in bounds.iter_mut().enumerate() {
-            let begin = block * BLOCK;
-            let end = (begin + BLOCK).min(self.to.len());
-            let centre = usize::midpoint(begin, end);
-            let mut path = None;
-            for j in begin..=centre {
-                path = walk.step(&here, &self.to[j]);
-                if let Some(tight) = &path {
-                    here = tight.last;
-                }
-            }
-            let Some(trail) = path.map(|path| walk.trail(&path, &self.to[centre])) else {
-                continue;
-            };
-            let within = 1e-3 * trail.length
-                + TUBE * far(self.from, first, last, middle).max(far(self.to, begin, end, centre));
-            if within > WIDEST * trail.length {
-                continue;
-            }
-            let Some(heights) = walk.bounds.around(&trail, within, masses) else {
-                continue;
-            };
-            *bound = Some(Bound {
-                trail,
-                within,
-                heights,
-                parts: walk.bounds.parts(),
-            });
-        }
-        bounds
+        self.bridge(i, blocks, &mut row);
+        row
     }
 
-    /// The pairs of a row.
-    fn row(
+    /// Follows a branch over columns as far as it leads, and notes its paths where they are shorter
+    /// than what is known.
+    fn pass(
         &self,
         i: usize,
-        begin: Option<&Arrival>,
-        bounds: &[Option<Bound>],
-    ) -> Vec<Option<Cell>> {
-        let mut cells = vec![None; self.to.len()];
-        let begin = begin.and_then(|begin| self.walk_to(i, 0, begin));
-        let Some((mut walk, mut last)) = begin else {
-            return cells;
+        columns: impl Iterator<Item = usize>,
+        end: End,
+        blocks: &Blocks<'_, 'a>,
+        row: &mut [Option<Cell>],
+    ) {
+        let first = match end {
+            End::First => 0,
+            End::Last => row.len() - 1,
         };
-        for (j, cell) in cells.iter_mut().enumerate() {
-            let target = &self.to[j];
-            let Some(path) = walk.step(&last, target) else {
-                continue;
-            };
-            let alone =
-                |walk: &mut Walk<'a>, among| self.geodesics.prove(walk, &path, target, among);
-            let proven = match &bounds[j / BLOCK] {
-                None => alone(&mut walk, None),
-                Some(bound) if !bound.holds(&walk, &path) => alone(&mut walk, None),
-                // Bounds of a block are wider than those of a path.
-                Some(bound) => walk
-                    .proven(&path, target, &bound.heights)
-                    .or_else(|_| alone(&mut walk, Some(&bound.parts))),
-            };
-            let (path, kind, room) = match proven {
-                Ok(path) => (path, Known::Proven, Room([0.0; 2])),
-                Err(room) => (path, Known::Open, room),
+        let begin = self.begins(end)[i].as_ref();
+        let begin = begin.and_then(|begin| self.walk_to(i, first, begin));
+        let Some((mut walk, mut last)) = begin else {
+            return;
+        };
+        let mut trusted = true;
+        for j in columns {
+            let Some(path) = walk.step_on(&last, &self.to[j]) else {
+                break;
             };
             last = path.last;
-            *cell = Some(Cell {
-                arrival: path.arrival(),
-                kind,
-                room,
-            });
+            let known = row[j];
+            if known.is_some_and(|cell| cell.kind != Known::Open) {
+                continue;
+            }
+            let (cell, end) = self.cell(&mut walk, &path, j, blocks, trusted);
+            trusted = cell.kind == Known::Proven;
+            last = end;
+            row[j] = Some(known.map_or(cell, |known| known.or(cell)));
         }
-        cells
+    }
+
+    /// Follows paths over the columns that no branch has led to.
+    fn bridge(&self, i: usize, blocks: &Blocks<'_, 'a>, row: &mut [Option<Cell>]) {
+        let mut known: Option<(Walk<'a>, Laid)> = None;
+        for j in 1..row.len() {
+            if row[j].is_some() {
+                known = None;
+                continue;
+            }
+            if known.is_none() {
+                known = row[j - 1].and_then(|cell| self.walk_to(i, j - 1, &cell.arrival));
+            }
+            let Some((walk, last)) = &mut known else {
+                continue;
+            };
+            let Some(path) = walk.step(last, &self.to[j]) else {
+                continue;
+            };
+            let (cell, end) = self.cell(walk, &path, j, blocks, true);
+            *last = end;
+            row[j] = Some(cell);
+        }
+    }
+
+    /// A pair whose path was just found, and where it ends in the plane; if not `trusted`, a proof
+    /// is unlikely and only tried where it costs little.
+    fn cell(
+        &self,
+        walk: &mut Walk<'a>,
+        path: &Tight,
+        j: usize,
+        blocks: &Blocks<'_, 'a>,
+        trusted: bool,
+    ) -> (Cell, Laid) {
+        let target = &self.to[j];
+        let geodesics = self.geodesics;
+        if let Some(path) = geodesics.prove_calm(walk, path, target) {
+            return (Cell::proven(&path), path.last);
+        }
+        let alone = |walk: &mut Walk<'a>, among| geodesics.prove(walk, path, target, among);
+        let proven = match blocks.of(j).filter(|bound| bound.holds(walk, path)) {
+            None => alone(walk, None),
+            // Bounds of a block are wider than those of a path.
+            Some(bound) => match walk.proven(path, target, &bound.heights) {
+                Err(_) if trusted => alone(walk, bound.parts.as_deref()),
+                proven => proven,
+            },
+        };
+        match proven {
+            Ok(path) => (Cell::proven(&path), path.last),
+            Err(room) => {
+                let cell = Cell {
+                    arrival: path.arrival(),
+                    kind: Known::Open,
+                    room,
+                    other: None,
+                };
+                (cell, path.last)
+            }
+        }
     }
 
     /// Solves the pairs of a row that are not proven; whether there were any.
@@ -196,6 +256,7 @@ impl<'a> Draft<'a> {
             arrival: Arrival::of(path),
             kind: Known::Exact,
             room: Room([0.0; 2]),
+            other: None,
         };
         if row.iter().any(Option::is_none) {
             let lost: Vec<SurfacePoint> = (0..row.len())
@@ -229,24 +290,5 @@ impl<'a> Draft<'a> {
             }
         }
         Ok((cells, true))
-    }
-}
-
-/// Bounds of other geodesics that hold near a trail.
-#[derive(Debug, Clone)]
-struct Bound {
-    trail: Trail,
-    /// Metres.
-    within: f64,
-    heights: [Heights; 2],
-    /// The only fine cells with curvature that another geodesic can enclose.
-    parts: Vec<usize>,
-}
-
-impl Bound {
-    /// Whether it holds for the path that was found last.
-    fn holds(&self, walk: &Walk<'_>, path: &Tight) -> bool {
-        let longer = (path.length - self.trail.length).abs();
-        longer <= 2.0 * self.within && walk.strays(path, &self.trail) <= self.within
     }
 }

@@ -18,10 +18,9 @@
 //! Curvature is gathered in cells here ([`Masses`]), which bounds a whole block of neighbouring
 //! geodesics at once; `near` goes on with single vertices.
 
-use super::laid::Side;
-use super::masses::{Mass, Masses};
+use super::bounds::{FARTHEST, Near};
+use super::masses::{Masses, Whole};
 use super::trail::{PLACES, Trail};
-use std::ops::RangeInclusive;
 
 /// Rounds of the comparison.
 const ROUNDS: usize = 40;
@@ -33,13 +32,12 @@ const MARGIN: f64 = 1.1;
 /// A round that lowers the bound by less than this share is the last.
 const SETTLED: f64 = 0.96;
 
-/// What lies aside of a path by this share of its distance, and not above or below, is on one side
-/// of it.
-const ASIDE: f64 = 0.7;
+/// A strip is wider by so many edges than what holds a third of the faces about its vertices on both
+/// sides.
+const RIM: f64 = 4.0 / 3.0;
 
-/// So much curvature, radians, farther from a path than its length may be enclosed by another one
-/// with the same ends: a cone must have more, twice the angle with the tangent 2.
-const FARTHEST: f64 = 2.0;
+/// Bounds below so many edges leave only the vertices next to a path.
+const THIN: f64 = 0.3;
 
 /// Bounds of the distance of other geodesics from a path, on one side of it.
 #[derive(Debug, Clone)]
@@ -50,185 +48,43 @@ pub(super) struct Heights {
     pub(super) turn: f64,
 }
 
-/// Curvature near a trail, on one side.
-#[derive(Debug, Clone, Copy)]
-struct Near {
-    /// Number of the place below, with fractions between two; none where it may be below several.
-    place: Option<f64>,
-    /// Metres.
-    height: f64,
-    /// Radians.
-    curvature: f64,
-    /// As of a mass.
-    rough: bool,
-    /// Number of its fine cell.
-    part: usize,
-}
-
-impl Near {
-    /// Whether it lies below a bound.
-    fn is_below(&self, heights: &Heights) -> bool {
-        let bound = match self.place {
-            Some(place) => heights.between(place),
-            None => heights.highest(),
-        };
-        self.height < bound
-    }
-}
-
-/// Finds bounds; keeps what it allocates.
-#[derive(Default)]
-pub(super) struct Bounds {
-    near: [Vec<Near>; 2],
-}
-
-impl Bounds {
-    /// Bounds on both sides (left, right) that hold for every geodesic which keeps within a
-    /// distance of the trail, metres; `None` where there is too much curvature beyond its length.
-    pub(super) fn around(
-        &mut self,
-        trail: &Trail,
-        within: f64,
-        masses: &Masses,
-    ) -> Option<[Heights; 2]> {
-        let mut heights = Side::BOTH.map(|_| Heights::any(trail.length));
-        // The paths that keep within the distance are as uneven as the trail.
-        let within = within + 2.0 * trail.sag;
-        let longest = trail.length + 2.0 * within;
-        let reach = longest + within;
-        let mut beyond = 0.0;
-        self.clear();
-        for whole in &masses.wholes {
-            if !self.add(trail, (0, &whole.mass), 0..=PLACES, reach, within) {
-                beyond += whole.net.max(0.0);
-            }
-        }
-        if beyond > FARTHEST {
-            return None;
-        }
-        for (heights, near) in heights.iter_mut().zip(&mut self.near) {
-            heights.settle(near, longest);
-        }
-        let reach = within + heights[0].highest().max(heights[1].highest());
-        let step = trail.length / PLACES as f64;
-        self.clear();
-        for whole in &masses.wholes {
-            let mass = &whole.mass;
-            let (i, far) = trail.nearest(&mass.at, 0..=PLACES);
-            if far > reach + mass.radius + step {
-                continue;
-            }
-            // What is close to the whole and to the trail is close to the same places.
-            let around = 2 + (2.0 * mass.radius / step) as usize;
-            let places = i.saturating_sub(around)..=(i + around).min(PLACES);
-            for part in whole.parts.clone() {
-                let mass = (part, &masses.parts[part]);
-                self.add(trail, mass, places.clone(), reach, within);
-            }
-        }
-        self.finish(&mut heights, longest);
-        Some(heights)
-    }
-
-    /// The fine cells below the bounds that were found last: there is no curvature but theirs for any
-    /// geodesic beside a path for which these hold.
-    pub(super) fn parts(&self) -> Vec<usize> {
-        let mut parts: Vec<usize> = self.near.iter().flatten().map(|near| near.part).collect();
-        parts.sort_unstable();
-        parts.dedup();
-        parts
-    }
-
-    /// Bounds on both sides of a trail over these fine cells alone.
-    pub(super) fn among(
-        &mut self,
-        trail: &Trail,
-        masses: &Masses,
-        parts: &[usize],
-    ) -> [Heights; 2] {
-        let mut heights = Side::BOTH.map(|_| Heights::any(trail.length));
-        self.clear();
-        for &part in parts {
-            let mass = (part, &masses.parts[part]);
-            self.add(trail, mass, 0..=PLACES, trail.length, 2.0 * trail.sag);
-        }
-        self.finish(&mut heights, trail.length);
-        heights
-    }
-
-    fn finish(&mut self, heights: &mut [Heights; 2], longest: f64) {
-        for (heights, near) in heights.iter_mut().zip(&mut self.near) {
-            heights.settle(near, longest);
-            near.retain(|n| n.is_below(heights));
-            if near.iter().any(|n| n.rough) {
-                heights.turn = f64::INFINITY;
-            }
-        }
-    }
-
-    fn clear(&mut self) {
-        for near in &mut self.near {
-            near.clear();
-        }
-    }
-
-    /// Notes curvature within reach of the places of a trail, as if it were closer by a distance;
-    /// whether it is.
-    fn add(
-        &mut self,
-        trail: &Trail,
-        (part, mass): (usize, &Mass),
-        places: RangeInclusive<usize>,
-        reach: f64,
-        within: f64,
-    ) -> bool {
-        let closer = within + mass.radius;
-        let (i, _) = trail.nearest(&mass.at, places);
-        let (begin, end) = (i.saturating_sub(1), (i + 1).min(PLACES));
-        let chord = trail.points[end] - trail.points[begin];
-        let out = mass.at - trail.points[i];
-        let share = (out.dot(&chord) / chord.norm_squared()).clamp(-0.5, 0.5);
-        let out = out - chord * share;
-        let height = out.norm();
-        if height - mass.radius > reach {
-            return false;
-        }
-        let place = i as f64 + share * (end - begin) as f64;
-        let near = Near {
-            place: (mass.radius < trail.length / PLACES as f64)
-                .then_some(place.clamp(0.0, PLACES as f64)),
-            height: (height - closer).max(0.0),
-            curvature: mass.curvature,
-            rough: mass.rough,
-            part,
-        };
-        let aside = trail.normals[i].cross(&chord).dot(&out) / chord.norm();
-        // Clearly on one side, or on both.
-        let clear = height > closer
-            && height < trail.flat[i]
-            && !mass.rough
-            && aside.abs() > ASIDE * height;
-        for side in Side::BOTH {
-            let aside = if side == Side::Left { aside } else { -aside };
-            if !clear || aside > 0.0 {
-                self.near[side as usize].push(near);
-            }
-        }
-        true
-    }
-}
-
 impl Heights {
     /// What holds for all vertices that can matter.
-    fn any(length: f64) -> Self {
+    pub(super) fn any(length: f64) -> Self {
         Self {
             at: [length; PLACES + 1],
             turn: f64::INFINITY,
         }
     }
 
+    /// Bounds for a path of a length anywhere on a mesh, on both sides, where its curvature leaves no
+    /// more room than beside the faces of the path: the comparison of [`Heights::thin`] with the
+    /// greatest density of all, ρ, for which y(x) is at most
+    ///
+    /// ```text
+    /// ρ (Y + f) x (L - x) / 2,   Y = λ f / (1 - λ),   λ = ρ L² / 8
+    /// ```
+    pub(super) fn calm(masses: &Masses, length: f64) -> Option<Self> {
+        let all = masses.all?;
+        if all.curvature > FARTHEST {
+            return None;
+        }
+        let factor = MARGIN * widening(all.curvature);
+        let share = factor * all.densest * length * length / 8.0;
+        let rim = RIM * all.edge;
+        let highest = share * rim / (1.0 - share);
+        let low = share < 1.0 && highest <= THIN * all.edge;
+        low.then(|| Self {
+            at: std::array::from_fn(|i| {
+                let x = i as f64 / PLACES as f64;
+                4.0 * x * (1.0 - x) * highest
+            }),
+            turn: all.densest * length * (highest + rim),
+        })
+    }
+
     /// Applies the comparison until it changes little.
-    fn settle(&mut self, near: &mut Vec<Near>, length: f64) {
+    pub(super) fn settle(&mut self, near: &mut Vec<Near>, length: f64) {
         let step = length / PLACES as f64;
         for _ in 0..ROUNDS {
             let mut turns = [0.0; PLACES + 1];
@@ -273,13 +129,77 @@ impl Heights {
         }
     }
 
+    /// Applies the comparison with the density of curvature ρ near a trail instead of single masses,
+    /// and tells whether what is left is as low as the faces:
+    ///
+    /// ```text
+    /// y(x) <= ∫ ρ (y + f) g(x, r) dr
+    /// ```
+    ///
+    /// A third of the faces about each vertex of a strip of width y lies in one that is wider by f,
+    /// four thirds of an edge, so the strip holds no more curvature than ρ (y + f) by length.
+    pub(super) fn thin<'m>(
+        &mut self,
+        trail: &Trail,
+        wholes: impl Iterator<Item = &'m Whole>,
+        within: f64,
+        length: f64,
+    ) -> bool {
+        let step = length / PLACES as f64;
+        let mut densities = [0.0_f64; PLACES];
+        let (mut edge, mut least) = (0.0_f64, f64::INFINITY);
+        for whole in wholes {
+            let mass = &whole.mass;
+            let far: [f64; PLACES + 1] =
+                std::array::from_fn(|i| (trail.points[i] - mass.at).norm());
+            for (k, density) in densities.iter_mut().enumerate() {
+                let reach = self.at[k].max(self.at[k + 1]) + within + mass.radius + step;
+                if far[k].min(far[k + 1]) < reach {
+                    *density = density.max(whole.densest);
+                    edge = edge.max(whole.edge);
+                    least = least.min(whole.edge);
+                }
+            }
+        }
+        let rim = RIM * edge;
+        for _ in 0..ROUNDS {
+            let before = self.highest();
+            let mut pulls = [0.0; PLACES];
+            for (k, pull) in pulls.iter_mut().enumerate() {
+                *pull = densities[k] * step * (self.at[k].max(self.at[k + 1]) + rim);
+            }
+            let turn: f64 = pulls.iter().sum();
+            self.turn = self.turn.min(turn);
+            let factor = MARGIN * widening(turn) / length;
+            let middle = |k: usize| (k as f64 + 0.5) * step;
+            let mut passed = 0.0;
+            let mut rest: f64 = (0..PLACES).map(|k| pulls[k] * (length - middle(k))).sum();
+            for k in 0..=PLACES {
+                let x = k as f64 * step;
+                // What lies about a place counts at the middle of its stretch: a quarter too little.
+                let about = &pulls[k.saturating_sub(1)..(k + 1).min(PLACES)];
+                let about = 0.25 * step * length * about.iter().sum::<f64>();
+                let bound = factor * (passed * (length - x) + rest.max(0.0) * x + about);
+                self.at[k] = self.at[k].min(bound);
+                if k < PLACES {
+                    passed += pulls[k] * middle(k);
+                    rest -= pulls[k] * (length - middle(k));
+                }
+            }
+            if self.highest() > SETTLED * before {
+                break;
+            }
+        }
+        self.highest() <= THIN * least
+    }
+
     /// Metres.
     pub(super) fn highest(&self) -> f64 {
         self.at.iter().fold(0.0, |a, &b| a.max(b))
     }
 
     /// The bound about a place and a fraction.
-    fn between(&self, place: f64) -> f64 {
+    pub(super) fn between(&self, place: f64) -> f64 {
         let i = (place as usize).min(PLACES - 1);
         self.at[i].max(self.at[i + 1])
     }

@@ -32,6 +32,19 @@ pub(super) struct Masses {
     pub(super) wholes: Vec<Whole>,
     /// Fine cells.
     pub(super) parts: Vec<Mass>,
+    /// All of the mesh, if none of it is rough.
+    pub(super) all: Option<All>,
+}
+
+/// The positive curvature of a mesh as a whole.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct All {
+    /// Radians.
+    pub(super) curvature: f64,
+    /// The greatest curvature of a vertex by the third of the faces about it, radians by square metre.
+    pub(super) densest: f64,
+    /// The longest edge at its vertices, metres.
+    pub(super) edge: f64,
 }
 
 /// A coarse cell.
@@ -41,6 +54,10 @@ pub(super) struct Whole {
     pub(super) parts: Range<usize>,
     /// The sum of all curvature in it, radians: little where the mesh is merely uneven.
     pub(super) net: f64,
+    /// The greatest curvature of a vertex by the third of the faces about it, radians by square metre.
+    pub(super) densest: f64,
+    /// The longest edge at its vertices, metres.
+    pub(super) edge: f64,
 }
 
 /// A vertex and its cells.
@@ -49,6 +66,10 @@ struct Vertex {
     fine: [i64; 3],
     at: Point3,
     curvature: f64,
+    /// A third of the faces about it, square metres.
+    area: f64,
+    /// The longest edge of these, metres.
+    edge: f64,
     rough: bool,
 }
 
@@ -59,26 +80,38 @@ impl Masses {
         let extent = (high - low).iter().copied().fold(0.0, f64::max);
         let side = if extent > 0.0 { extent / FINE } else { 1.0 };
         let rough = rough(mesh);
-        let known = charts.curvatures.iter().zip(&rough);
         let mut vertices: Vec<Vertex> = positions
             .iter()
-            .zip(known)
-            .map(|(&at, (&curvature, &rough))| {
+            .zip(&charts.curvatures)
+            .zip(&rough)
+            .map(|((&at, &curvature), &rough)| {
                 let fine = [0, 1, 2].map(|i| ((at[i] - low[i]) / side).floor() as i64);
                 Vertex {
                     coarse: fine.map(|i| i / COARSE),
                     fine,
                     at,
                     curvature,
+                    area: 0.0,
+                    edge: 0.0,
                     rough,
                 }
             })
             .collect();
+        for (corners, charts) in mesh.faces().iter().zip(charts.of.chunks_exact(3)) {
+            let area = 0.5 * charts[0].length * charts[0].apex()[1];
+            let edge = charts.iter().map(|chart| chart.length).fold(0.0, f64::max);
+            for &v in corners {
+                let vertex = &mut vertices[v as usize];
+                vertex.area += area / 3.0;
+                vertex.edge = vertex.edge.max(edge);
+            }
+        }
         // Stable: sums within a cell keep the order of the vertices.
         vertices.sort_by_key(|vertex| (vertex.coarse, vertex.fine));
         let mut masses = Self {
             wholes: Vec::new(),
             parts: Vec::new(),
+            all: None,
         };
         for whole in vertices.chunk_by(|a, b| a.coarse == b.coarse) {
             let begin = masses.parts.len();
@@ -89,9 +122,21 @@ impl Masses {
                     mass,
                     parts: begin..masses.parts.len(),
                     net: whole.iter().map(|vertex| vertex.curvature).sum(),
+                    densest: most(whole, |vertex| vertex.curvature / vertex.area),
+                    edge: most(whole, |vertex| vertex.edge),
                 });
             }
         }
+        let most = |value: fn(&Whole) -> f64| masses.wholes.iter().map(value).fold(0.0, f64::max);
+        masses.all = masses
+            .wholes
+            .iter()
+            .all(|whole| !whole.mass.rough)
+            .then(|| All {
+                curvature: masses.wholes.iter().map(|whole| whole.mass.curvature).sum(),
+                densest: most(|whole| whole.densest),
+                edge: most(|whole| whole.edge),
+            });
         masses
     }
 }
@@ -109,6 +154,12 @@ fn gather(vertices: &[Vertex]) -> Option<Mass> {
         curvature: positive().map(|vertex| vertex.curvature).sum(),
         rough: positive().any(|vertex| vertex.rough),
     })
+}
+
+/// The greatest value of those vertices that have positive curvature.
+fn most(vertices: &[Vertex], value: impl Fn(&Vertex) -> f64) -> f64 {
+    let positive = vertices.iter().filter(|vertex| vertex.curvature > 0.0);
+    positive.map(value).fold(0.0, f64::max)
 }
 
 /// Per vertex whether faces about it or about a neighbour are folded.

@@ -81,6 +81,8 @@
 
 mod aim;
 mod beam;
+mod blocks;
+mod bounds;
 mod certificate;
 mod charts;
 mod crossing;

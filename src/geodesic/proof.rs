@@ -25,6 +25,9 @@ impl Geodesics<'_> {
             Grounds::Unique => Ok(*path),
             Grounds::Solved => Err(Room::ANY),
             Grounds::Compared => {
+                if let Some(proven) = self.prove_calm(walk, path, to) {
+                    return Ok(proven);
+                }
                 let trail = walk.trail(path, to);
                 let heights = if let Some(parts) = among {
                     walk.bounds.among(&trail, self.masses(), parts)
@@ -35,6 +38,17 @@ impl Geodesics<'_> {
                 walk.proven(path, to, &heights)
             }
         }
+    }
+
+    /// The same where the curvature of the whole mesh leaves little room.
+    pub(super) fn prove_calm(
+        &self,
+        walk: &mut Walk<'_>,
+        path: &Tight,
+        to: &SurfacePoint,
+    ) -> Option<Tight> {
+        let heights = Heights::calm(self.masses(), path.length)?;
+        walk.proven(path, to, &[heights.clone(), heights]).ok()
     }
 }
 
@@ -48,17 +62,14 @@ impl Walk<'_> {
         heights: &[Heights; 2],
     ) -> Result<Tight, Room> {
         let surface = (self.mesh, self.charts);
-        let mut turns = [0.0; 2];
-        let mut known = true;
-        for side in Side::BOTH {
-            let heights = &heights[side as usize];
-            let turn = self
-                .near
-                .turn(surface, &self.unrolled, path.length, side, heights);
-            turns[side as usize] = turn.unwrap_or(heights.turn);
-            known &= turn.is_some();
-        }
-        if !known {
+        let known = self
+            .near
+            .turns(surface, &self.unrolled, path.length, heights);
+        let turns = Side::BOTH.map(|side| {
+            let side = side as usize;
+            known[side].unwrap_or(heights[side].turn)
+        });
+        if known.contains(&None) {
             return Err(Room(turns));
         }
         if turns == [0.0; 2] {

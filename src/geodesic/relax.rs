@@ -23,7 +23,10 @@ const BENT: f64 = 1e-10;
 const TIE: f64 = 1e-6;
 
 /// Turns of one strip; paths that need more are left to the exact solver.
-const MOST_TURNS: usize = 400;
+pub(super) const MOST_TURNS: usize = 400;
+
+/// Turns of a strip that leads to a path beside the one before, and not to another branch.
+pub(super) const FEW_TURNS: usize = 24;
 
 /// Pulls strips tight; keeps what it allocates.
 pub(super) struct Relaxer<'a> {
@@ -42,17 +45,18 @@ impl<'a> Relaxer<'a> {
     }
 
     /// Turns a strip until its tight path is locally shortest, and leaves it laid flat; `None` where
-    /// that takes too many turns.
+    /// that takes more turns than wanted.
     pub(super) fn relax(
         &mut self,
         from: (&SurfacePoint, &Laid),
         strip: &mut Strip,
         to: &SurfacePoint,
         unrolled: &mut Unrolled,
+        most: usize,
     ) -> Option<()> {
         let surface = (self.mesh, self.charts);
         let mut shortest = f64::INFINITY;
-        for _ in 0..MOST_TURNS {
+        for _ in 0..most {
             self.tidy(from.0, strip, to);
             let found = unrolled.lay(surface, from, strip, to)?;
             if found >= shortest * (1.0 - EQUAL) {

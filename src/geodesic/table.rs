@@ -62,11 +62,7 @@ impl Geodesics<'_> {
             return Err(GeodesicError::Coincident { point });
         }
         let grounds = self.grounds();
-        let draft = Draft {
-            geodesics: self,
-            from: &from,
-            to: &to,
-        };
+        let draft = Draft::new(self, &from, &to);
         let rows: Vec<Vec<Option<Cell>>> = if grounds == Grounds::Solved {
             vec![vec![None; to.len()]; from.len()]
         } else {

@@ -1,11 +1,11 @@
 //! Paths from one point while their other end moves in small steps.
 
+use super::bounds::Bounds;
 use super::charts::Charts;
-use super::heights::Bounds;
 use super::laid::{Laid, Turn, V2, norm};
 use super::near::Near;
 use super::rays::Rays;
-use super::relax::{Relaxer, face_at};
+use super::relax::{FEW_TURNS, MOST_TURNS, Relaxer, face_at};
 use super::shoot::{Shooter, base};
 use super::unrolled::{Strip, Tight, Unrolled};
 use super::{Arrival, Geodesics, Path};
@@ -103,13 +103,19 @@ impl<'a> Walk<'a> {
     /// The locally shortest path that a strip leads to.
     pub(super) fn through(&mut self, strip: Strip, to: &SurfacePoint) -> Option<Tight> {
         self.strip = strip;
-        self.relax(to)
+        self.relax(to, MOST_TURNS)
     }
 
     /// The locally shortest path to a point close to the end of a path before.
     pub(super) fn step(&mut self, last: &Laid, to: &SurfacePoint) -> Option<Tight> {
         let image = self.shooter.image_near(last, to)?;
-        self.towards(image, to)
+        self.towards(image, to, MOST_TURNS)
+    }
+
+    /// The same, on the branch of the path before: `None` where that ends.
+    pub(super) fn step_on(&mut self, last: &Laid, to: &SurfacePoint) -> Option<Tight> {
+        let image = self.shooter.image_near(last, to)?;
+        self.towards(image, to, FEW_TURNS)
     }
 
     /// Where a path ends in the plane that leaves in a known direction.
@@ -137,11 +143,11 @@ impl<'a> Walk<'a> {
         image
             .iter()
             .all(|x| x.is_finite())
-            .then(|| self.towards(image, to))?
+            .then(|| self.towards(image, to, MOST_TURNS))?
     }
 
     /// A locally shortest path to a point with about this image.
-    fn towards(&mut self, mut image: V2, to: &SurfacePoint) -> Option<Tight> {
+    fn towards(&mut self, mut image: V2, to: &SurfacePoint, turns: usize) -> Option<Tight> {
         for _ in 0..SHOTS {
             if self.shoot(image, to)? {
                 // No line through this strip is shorter than the straight one.
@@ -149,7 +155,7 @@ impl<'a> Walk<'a> {
             }
             image = self.unrolled.image;
         }
-        self.relax(to)
+        self.relax(to, turns)
     }
 
     fn shoot(&mut self, at: V2, to: &SurfacePoint) -> Option<bool> {
@@ -158,17 +164,17 @@ impl<'a> Walk<'a> {
             .shoot(from, at, to, &mut self.strip, &mut self.unrolled)
     }
 
-    fn relax(&mut self, to: &SurfacePoint) -> Option<Tight> {
+    fn relax(&mut self, to: &SurfacePoint, turns: usize) -> Option<Tight> {
         let from = (&self.from, &self.base);
         self.relaxer
-            .relax(from, &mut self.strip, to, &mut self.unrolled)?;
+            .relax(from, &mut self.strip, to, &mut self.unrolled, turns)?;
         self.unrolled.tight(self.mesh, self.charts)
     }
 
     /// The path that was found last, with all its crossings.
     pub(super) fn path(&mut self, to: &SurfacePoint) -> Option<Path> {
         // A strip that was shot may begin and end with edges that the path only touches.
-        self.relax(to)?;
+        self.relax(to, MOST_TURNS)?;
         self.relaxer
             .path(&self.from, &self.strip, to, &self.unrolled)
     }
