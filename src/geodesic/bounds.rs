@@ -2,7 +2,7 @@
 
 use super::heights::Heights;
 use super::laid::Side;
-use super::masses::{Mass, Masses};
+use super::masses::{Mass, Masses, Whole};
 use super::trail::{PLACES, Trail};
 use std::ops::RangeInclusive;
 
@@ -84,21 +84,9 @@ impl Bounds {
             return Some(heights);
         }
         let reach = within + heights[0].highest().max(heights[1].highest());
-        let step = trail.length / PLACES as f64;
         self.clear();
         for whole in &masses.wholes {
-            let mass = &whole.mass;
-            let (i, far) = trail.nearest(&mass.at, 0..=PLACES);
-            if far > reach + mass.radius + step {
-                continue;
-            }
-            // What is close to the whole and to the trail is close to the same places.
-            let around = 2 + (2.0 * mass.radius / step) as usize;
-            let places = i.saturating_sub(around)..=(i + around).min(PLACES);
-            for part in whole.parts.clone() {
-                let mass = (part, &masses.parts[part]);
-                self.add(trail, mass, places.clone(), reach, within);
-            }
+            self.add_parts(trail, (whole, whole.parts.clone()), masses, reach, within);
         }
         self.finish(&mut heights, longest);
         Some(heights)
@@ -125,9 +113,15 @@ impl Bounds {
     ) -> [Heights; 2] {
         let mut heights = Side::BOTH.map(|_| Heights::any(trail.length));
         self.clear();
-        for &part in parts {
-            let mass = (part, &masses.parts[part]);
-            self.add(trail, mass, 0..=PLACES, trail.length, 2.0 * trail.sag);
+        let mut parts = parts;
+        for whole in &masses.wholes {
+            let count = parts.partition_point(|&part| part < whole.parts.end);
+            let (own, rest) = parts.split_at(count);
+            parts = rest;
+            if !own.is_empty() {
+                let own = (whole, own.iter().copied());
+                self.add_parts(trail, own, masses, trail.length, 2.0 * trail.sag);
+            }
         }
         self.finish(&mut heights, trail.length);
         heights
@@ -146,6 +140,30 @@ impl Bounds {
     fn clear(&mut self) {
         for near in &mut self.near {
             near.clear();
+        }
+    }
+
+    /// Notes fine cells of a coarse one.
+    fn add_parts(
+        &mut self,
+        trail: &Trail,
+        (whole, parts): (&Whole, impl Iterator<Item = usize>),
+        masses: &Masses,
+        reach: f64,
+        within: f64,
+    ) {
+        let Mass { at, radius, .. } = whole.mass;
+        let step = trail.length / PLACES as f64;
+        let (i, far) = trail.nearest(&at, 0..=PLACES);
+        if far > reach + radius + step {
+            return;
+        }
+        // What is close to the whole and to the trail is close to the same places.
+        let around = 2 + (2.0 * radius / step) as usize;
+        let places = i.saturating_sub(around)..=(i + around).min(PLACES);
+        for part in parts {
+            let mass = (part, &masses.parts[part]);
+            self.add(trail, mass, places.clone(), reach, within);
         }
     }
 

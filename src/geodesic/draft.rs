@@ -224,6 +224,7 @@ impl<'a> Draft<'a> {
         }
         let alone = |walk: &mut Walk<'a>, among| geodesics.prove(walk, path, target, among);
         let proven = match blocks.of(j).filter(|bound| bound.holds(walk, path)) {
+            None if !trusted && let Some(room) = Room::of(geodesics.masses()) => Err(room),
             None => alone(walk, None),
             // Bounds of a block are wider than those of a path.
             Some(bound) => match walk.proven(path, target, &bound.heights) {

@@ -32,12 +32,8 @@ const MARGIN: f64 = 1.1;
 /// A round that lowers the bound by less than this share is the last.
 const SETTLED: f64 = 0.96;
 
-/// A strip is wider by so many edges than what holds a third of the faces about its vertices on both
-/// sides.
-const RIM: f64 = 4.0 / 3.0;
-
-/// Bounds below so many edges leave only the vertices next to a path.
-const THIN: f64 = 0.3;
+/// Bounds below this share of what a third of a face reaches leave only vertices next to a path.
+const THIN: f64 = 0.7;
 
 /// Bounds of the distance of other geodesics from a path, on one side of it.
 #[derive(Debug, Clone)]
@@ -59,27 +55,29 @@ impl Heights {
 
     /// Bounds for a path of a length anywhere on a mesh, on both sides, where its curvature leaves no
     /// more room than beside the faces of the path: the comparison of [`Heights::thin`] with the
-    /// greatest density of all, ρ, for which y(x) is at most
+    /// greatest density of all, which is at most
     ///
     /// ```text
-    /// ρ (Y + f) x (L - x) / 2,   Y = λ f / (1 - λ),   λ = ρ L² / 8
+    /// Y = λ f / (1 - λ),   λ = ρ (L² / 8 + c (L + 2 c))
     /// ```
     pub(super) fn calm(masses: &Masses, length: f64) -> Option<Self> {
         let all = masses.all?;
         if all.curvature > FARTHEST {
             return None;
         }
+        let (cell, rim) = (all.cell, 2.0 * all.cell);
         let factor = MARGIN * widening(all.curvature);
-        let share = factor * all.densest * length * length / 8.0;
-        let rim = RIM * all.edge;
+        let reach = length + 2.0 * cell;
+        let share = factor * all.densest * (length * length / 8.0 + cell * reach);
         let highest = share * rim / (1.0 - share);
-        let low = share < 1.0 && highest <= THIN * all.edge;
+        let turn = all.densest * reach * (highest + rim);
+        let low = share < 1.0 && highest <= THIN * all.cell;
         low.then(|| Self {
             at: std::array::from_fn(|i| {
-                let x = i as f64 / PLACES as f64;
-                4.0 * x * (1.0 - x) * highest
+                let x = i.min(PLACES - i) as f64 / PLACES as f64 * length;
+                highest.min(factor * turn * x)
             }),
-            turn: all.densest * length * (highest + rim),
+            turn,
         })
     }
 
@@ -130,14 +128,15 @@ impl Heights {
     }
 
     /// Applies the comparison with the density of curvature ρ near a trail instead of single masses,
-    /// and tells whether what is left is as low as the faces:
+    /// and tells whether what is left is as low as the faces.
+    ///
+    /// The third of the faces about a vertex reaches c from it at most. Those about the
+    /// vertices of a strip of width y are no larger than the strip and f = 2 c beside it, so they have
+    /// no more curvature than ρ (y + f) by length, though each has it in one place, c aside:
     ///
     /// ```text
-    /// y(x) <= ∫ ρ (y + f) g(x, r) dr
+    /// y(x) <= ∫ ρ (y + f) (g(x, r) + c) dr,   y(x) <= min(x, L - x) ∫ ρ (y + f) dr
     /// ```
-    ///
-    /// A third of the faces about each vertex of a strip of width y lies in one that is wider by f,
-    /// four thirds of an edge, so the strip holds no more curvature than ρ (y + f) by length.
     pub(super) fn thin<'m>(
         &mut self,
         trail: &Trail,
@@ -147,30 +146,33 @@ impl Heights {
     ) -> bool {
         let step = length / PLACES as f64;
         let mut densities = [0.0_f64; PLACES];
-        let (mut edge, mut least) = (0.0_f64, f64::INFINITY);
+        let (mut cell, mut least) = (0.0_f64, f64::INFINITY);
         for whole in wholes {
             let mass = &whole.mass;
             let far: [f64; PLACES + 1] =
                 std::array::from_fn(|i| (trail.points[i] - mass.at).norm());
             for (k, density) in densities.iter_mut().enumerate() {
-                let reach = self.at[k].max(self.at[k + 1]) + within + mass.radius + step;
+                let height = self.at[k].max(self.at[k + 1]);
+                let reach = height + within + mass.radius + whole.cell + step;
                 if far[k].min(far[k + 1]) < reach {
                     *density = density.max(whole.densest);
-                    edge = edge.max(whole.edge);
-                    least = least.min(whole.edge);
+                    cell = cell.max(whole.cell);
+                    least = least.min(whole.cell);
                 }
             }
         }
-        let rim = RIM * edge;
+        let rim = 2.0 * cell;
         for _ in 0..ROUNDS {
             let before = self.highest();
             let mut pulls = [0.0; PLACES];
             for (k, pull) in pulls.iter_mut().enumerate() {
                 *pull = densities[k] * step * (self.at[k].max(self.at[k + 1]) + rim);
             }
-            let turn: f64 = pulls.iter().sum();
+            // Those beyond the ends reach over them.
+            let beyond = cell / step * (pulls[0] + pulls[PLACES - 1]);
+            let turn = pulls.iter().sum::<f64>() + beyond;
             self.turn = self.turn.min(turn);
-            let factor = MARGIN * widening(turn) / length;
+            let factor = MARGIN * widening(turn);
             let middle = |k: usize| (k as f64 + 0.5) * step;
             let mut passed = 0.0;
             let mut rest: f64 = (0..PLACES).map(|k| pulls[k] * (length - middle(k))).sum();
@@ -178,9 +180,10 @@ impl Heights {
                 let x = k as f64 * step;
                 // What lies about a place counts at the middle of its stretch: a quarter too little.
                 let about = &pulls[k.saturating_sub(1)..(k + 1).min(PLACES)];
-                let about = 0.25 * step * length * about.iter().sum::<f64>();
-                let bound = factor * (passed * (length - x) + rest.max(0.0) * x + about);
-                self.at[k] = self.at[k].min(bound);
+                let about = 0.25 * step * about.iter().sum::<f64>();
+                let bound = (passed * (length - x) + rest.max(0.0) * x) / length + about;
+                let bound = (bound + cell * turn).min(turn * x.min(length - x));
+                self.at[k] = self.at[k].min(factor * bound);
                 if k < PLACES {
                     passed += pulls[k] * middle(k);
                     rest -= pulls[k] * (length - middle(k));

@@ -1,7 +1,7 @@
 //! Positive curvature, gathered in cells: what two geodesics with common ends have to enclose.
 
 use super::charts::Charts;
-use crate::surface::{Mesh, Point3, Vector3};
+use crate::surface::{HalfEdge, Mesh, Point3, Vector3};
 use std::ops::Range;
 
 /// Fine cells along the longest side of a mesh.
@@ -43,8 +43,8 @@ pub(super) struct All {
     pub(super) curvature: f64,
     /// The greatest curvature of a vertex by the third of the faces about it, radians by square metre.
     pub(super) densest: f64,
-    /// The longest edge at its vertices, metres.
-    pub(super) edge: f64,
+    /// That third reaches no farther from its vertex, metres.
+    pub(super) cell: f64,
 }
 
 /// A coarse cell.
@@ -56,8 +56,8 @@ pub(super) struct Whole {
     pub(super) net: f64,
     /// The greatest curvature of a vertex by the third of the faces about it, radians by square metre.
     pub(super) densest: f64,
-    /// The longest edge at its vertices, metres.
-    pub(super) edge: f64,
+    /// That third reaches no farther from its vertex, metres.
+    pub(super) cell: f64,
 }
 
 /// A vertex and its cells.
@@ -68,8 +68,8 @@ struct Vertex {
     curvature: f64,
     /// A third of the faces about it, square metres.
     area: f64,
-    /// The longest edge of these, metres.
-    edge: f64,
+    /// That third is no farther from the vertex, metres.
+    cell: f64,
     rough: bool,
 }
 
@@ -92,18 +92,23 @@ impl Masses {
                     at,
                     curvature,
                     area: 0.0,
-                    edge: 0.0,
+                    cell: 0.0,
                     rough,
                 }
             })
             .collect();
-        for (corners, charts) in mesh.faces().iter().zip(charts.of.chunks_exact(3)) {
-            let area = 0.5 * charts[0].length * charts[0].apex()[1];
-            let edge = charts.iter().map(|chart| chart.length).fold(0.0, f64::max);
-            for &v in corners {
+        for (face, corners) in (0..).zip(mesh.faces()) {
+            let chart = charts.chart(HalfEdge::new(face, 0));
+            let area = 0.5 * chart.length * chart.apex()[1];
+            let at = mesh.corners(face);
+            let middle = Point3::from((at[0].coords + at[1].coords + at[2].coords) / 3.0);
+            for (i, &v) in corners.iter().enumerate() {
+                // A third of a face lies between its corner, its middle and those of two sides.
+                let sides = [(i + 1) % 3, (i + 2) % 3].map(|j| 0.5 * (at[j] - at[i]).norm());
+                let far = (middle - at[i]).norm().max(sides[0]).max(sides[1]);
                 let vertex = &mut vertices[v as usize];
                 vertex.area += area / 3.0;
-                vertex.edge = vertex.edge.max(edge);
+                vertex.cell = vertex.cell.max(far);
             }
         }
         // Stable: sums within a cell keep the order of the vertices.
@@ -123,7 +128,7 @@ impl Masses {
                     parts: begin..masses.parts.len(),
                     net: whole.iter().map(|vertex| vertex.curvature).sum(),
                     densest: most(whole, |vertex| vertex.curvature / vertex.area),
-                    edge: most(whole, |vertex| vertex.edge),
+                    cell: most(whole, |vertex| vertex.cell),
                 });
             }
         }
@@ -135,7 +140,7 @@ impl Masses {
             .then(|| All {
                 curvature: masses.wholes.iter().map(|whole| whole.mass.curvature).sum(),
                 densest: most(|whole| whole.densest),
-                edge: most(|whole| whole.edge),
+                cell: most(|whole| whole.cell),
             });
         masses
     }

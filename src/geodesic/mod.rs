@@ -129,6 +129,7 @@ use aim::{Aim, Range};
 use charts::Charts;
 use front::Front;
 use masses::Masses;
+use seed::Shorter;
 use solve::{Sweep, Swept, Until};
 use std::sync::{Mutex, OnceLock, PoisonError};
 
@@ -225,10 +226,10 @@ impl<'m> Geodesics<'m> {
         };
         match near {
             None => self.field(&from, Reach::Targets(&[to]))?.path_to(&to),
-            Some((path, true)) => Ok(path),
-            Some((path, false)) => {
+            Some((path, Shorter::None)) => Ok(path),
+            Some((path, Shorter::Within(range))) => {
                 let known = [(to, path.length)];
-                let shorter = self.shorter(&from, &known, None)?.pop().flatten();
+                let shorter = self.shorter(&from, &known, range)?.pop().flatten();
                 Ok(shorter.unwrap_or(path))
             }
         }

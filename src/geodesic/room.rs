@@ -3,8 +3,11 @@
 use super::aim::Range;
 use super::charts::Charts;
 use super::draft::{Cell, Draft};
-use super::laid::{cross, dot, turned};
+use super::laid::{Laid, V2, cross, dot, turned};
+use super::masses::Masses;
 use super::table::Known;
+use super::unrolled::Tight;
+use super::walk::Walk;
 
 /// Directions of paths are known to this angle, radians.
 const PLAY: f64 = 1e-9;
@@ -19,6 +22,27 @@ pub(super) struct Room(pub(super) [f64; 2]);
 impl Room {
     /// In any direction.
     pub(super) const ANY: Self = Self([f64::INFINITY; 2]);
+
+    /// As much as all curvature of a mesh leaves beside any path, if none of it is rough.
+    pub(super) fn of(masses: &Masses) -> Option<Self> {
+        masses.all.map(|all| Self([all.curvature; 2]))
+    }
+
+    /// The directions that it spans beside a path that a walk has just found, if they can be told
+    /// apart from all others.
+    pub(super) fn range(self, walk: &Walk<'_>, path: &Tight) -> Option<Range> {
+        let Self([left, right]) = self;
+        range(walk.faces_around(), path.ahead, [-right, left])
+    }
+}
+
+/// A range between angles from a direction in the plane of the faces around a point.
+fn range(around: Vec<Laid>, ahead: V2, [low, high]: [f64; 2]) -> Option<Range> {
+    let ends = [low - PLAY, high + PLAY];
+    ends.iter().all(|angle| angle.abs() < WIDEST).then(|| {
+        let [low, high] = ends.map(|angle| turned(ahead, angle));
+        Range { around, low, high }
+    })
 }
 
 impl Draft<'_> {
@@ -45,10 +69,6 @@ impl Draft<'_> {
             let angle = angle(j)?;
             (low, high) = (low.min(angle - right), high.max(angle + left));
         }
-        let ends = [low - PLAY, high + PLAY];
-        ends.iter().all(|a| a.abs() < WIDEST).then(|| {
-            let [low, high] = ends.map(|angle| turned(ahead, angle));
-            Range { around, low, high }
-        })
+        range(around, ahead, [low, high])
     }
 }

@@ -2,6 +2,7 @@
 //! space. Where that does not lead to it, faces in between are found by a search that goes towards the
 //! target, and their strip is pulled tight and turned until it is locally shortest.
 
+use super::aim::Range;
 use super::unrolled::Strip;
 use super::walk::Walk;
 use super::{Geodesics, Path};
@@ -12,18 +13,33 @@ use std::collections::{BTreeMap, BinaryHeap};
 /// Ways over the middles of faces zigzag; so much longer than straight, they lose no time.
 const GREED: f64 = 1.25;
 
+/// Where paths leave that are shorter than a known one.
+pub(super) enum Shorter {
+    /// There are none.
+    None,
+    /// In a range, or in any direction.
+    Within(Option<Range>),
+}
+
 impl Geodesics<'_> {
-    /// A locally shortest path between two checked points, and whether it is known to be the
-    /// shortest of all; `None` where none is found this way.
-    pub(super) fn near_path(&self, from: &SurfacePoint, to: &SurfacePoint) -> Option<(Path, bool)> {
+    /// A locally shortest path between two checked points, and where shorter ones can leave; `None`
+    /// where none is found this way.
+    pub(super) fn near_path(
+        &self,
+        from: &SurfacePoint,
+        to: &SurfacePoint,
+    ) -> Option<(Path, Shorter)> {
         let mut walk = Walk::new(self.mesh, &self.charts, from)?;
         let ahead = to.position(self.mesh) - from.position(self.mesh);
         let near = match walk.cast(&ahead, to) {
             Some(near) => near,
             None => walk.through(self.faces_between(from, to)?, to)?,
         };
-        let proven = self.prove(&mut walk, &near, to, None).is_ok();
-        Some((walk.path(to)?, proven))
+        let shorter = match self.prove(&mut walk, &near, to, None) {
+            Ok(_) => Shorter::None,
+            Err(room) => Shorter::Within(room.range(&walk, &near)),
+        };
+        Some((walk.path(to)?, shorter))
     }
 
     /// A strip of faces between two points, found best first (A*) by the ways over the middles of

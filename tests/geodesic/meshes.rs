@@ -48,7 +48,7 @@ pub(crate) fn grid(
     nv: usize,
     around: [bool; 2],
     keep: impl Fn(usize, usize) -> bool,
-    map: impl Fn(f64, f64) -> [f64; 3],
+    mut map: impl FnMut(f64, f64) -> [f64; 3],
 ) -> Mesh {
     let columns = if around[0] { nu } else { nu + 1 };
     let rows = if around[1] { nv } else { nv + 1 };

@@ -221,6 +221,50 @@ fn single_paths_are_those_of_the_exact_solver() {
     }
 }
 
+/// The point over a place in plan.
+fn above(mesh: &Mesh, [x, y]: [f64; 2]) -> SurfacePoint {
+    let face = (0..mesh.face_count()).find_map(|face| {
+        let [a, b, c] = mesh.corners(face);
+        let area = |p: [f64; 2], q: [f64; 2]| (p[0] - x) * (q[1] - y) - (p[1] - y) * (q[0] - x);
+        let [a, b, c] = [a, b, c].map(|p| [p.x, p.y]);
+        let bary = [area(b, c), area(c, a), area(a, b)];
+        let whole: f64 = bary.iter().sum();
+        let bary = bary.map(|part| part / whole);
+        (bary.iter().all(|&part| part >= 0.0)).then(|| SurfacePoint::in_face(mesh, face, bary))
+    });
+    face.flatten().expect("a face below")
+}
+
+#[test]
+fn the_other_side_of_a_vertex_is_never_missed() {
+    for seed in 0..12 {
+        let mut random = Random(seed);
+        let cells = 8 + (seed % 3) as usize;
+        let mesh = grid(cells, cells, [false; 2], all, |u, v| {
+            [2.0 * u, 2.0 * v, 0.05 * random.unit()]
+        });
+        // Short and long ways that pass a vertex on both sides, closely.
+        for vertex in (0..mesh.vertex_count()).filter(|&v| !mesh.is_border_vertex(v)) {
+            let at = mesh.position(vertex);
+            let [behind, ahead] = [0, 1].map(|_| 0.005 + 0.2 * random.unit() * random.unit());
+            let aside = 0.2 * random.unit() * behind * ahead / (behind + ahead);
+            let across = |x: f64| -> Vec<SurfacePoint> {
+                let place = |i: u32| aside * (f64::from(i) / 3.5 - 1.0);
+                (0..8).map(|i| above(&mesh, [x, at.y + place(i)])).collect()
+            };
+            let (from, to) = (across(at.x - behind), across(at.x + ahead));
+            compare("beside a vertex", &mesh, &from, &to);
+            let geodesics = Geodesics::new(&mesh);
+            for (p, q) in from.iter().zip(&to) {
+                let truth = geodesics.field(p, Reach::Targets(&[*q])).unwrap();
+                let truth = truth.distance(q).unwrap();
+                let found = geodesics.shortest(p, q).unwrap().length;
+                assert!((found - truth).abs() < 1e-12 * truth, "{found} for {truth}");
+            }
+        }
+    }
+}
+
 #[test]
 fn a_followed_path_stays_the_shortest_where_it_is_the_only_one() {
     let mesh = jittered([24, 24], [2.0, 2.0], 0.0, 0, all, |x, y| x * y);
