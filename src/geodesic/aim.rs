@@ -128,14 +128,15 @@ impl Aim {
     /// What is left of a way changes no faster than one walks, so along the edge it is at most the
     /// mean of its ends' and half the edge.
     pub(super) fn limit(&mut self, mesh: &Mesh, h: HalfEdge, length: f64) -> f64 {
-        if self.goals.is_empty() {
-            return f64::INFINITY;
-        }
         let ends = self.left_at(mesh, mesh.origin(h)) + self.left_at(mesh, mesh.target(h));
         0.5 * (ends + length)
     }
 
-    fn left_at(&mut self, mesh: &Mesh, v: u32) -> f64 {
+    /// The same for a vertex.
+    pub(super) fn left_at(&mut self, mesh: &Mesh, v: u32) -> f64 {
+        if self.goals.is_empty() {
+            return f64::INFINITY;
+        }
         let known = self.left[v as usize];
         if !known.is_nan() {
             return known;

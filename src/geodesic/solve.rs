@@ -149,8 +149,11 @@ impl<'a> Sweep<'a> {
             }
             match next {
                 Next::HalfEdge(h) => self.sweep(HalfEdge(h), distance),
-                Next::Vertex(v) if distance <= self.bound => self.bend_at(v, distance),
-                Next::Vertex(_) => {}
+                Next::Vertex(v) => {
+                    if distance <= self.bound.min(self.aim.left_at(self.mesh, v)) {
+                        self.bend_at(v, distance);
+                    }
+                }
             }
         }
         if let Until::Reached(vertices) = until {
