@@ -7,7 +7,7 @@ use super::room::Room;
 use super::table::Known;
 use super::unrolled::Tight;
 use super::walk::Walk;
-use super::{Arrival, GeodesicError, Geodesics, Path, SAME};
+use super::{Arrival, GeodesicError, Geodesics, Path};
 use crate::surface::SurfacePoint;
 use rayon::prelude::*;
 use std::sync::OnceLock;
@@ -19,8 +19,6 @@ pub(super) struct Cell {
     pub(super) kind: Known,
     /// For a shorter path.
     pub(super) room: Room,
-    /// A longer one on another branch, if the path is not proven.
-    pub(super) other: Option<Arrival>,
 }
 
 impl Cell {
@@ -30,24 +28,16 @@ impl Cell {
             arrival: path.arrival(),
             kind: Known::Proven,
             room: Room([0.0; 2]),
-            other: None,
         }
     }
 
-    /// What two branches tell of a pair.
+    /// What two branches tell of a pair that the first does not prove.
     fn or(self, other: Self) -> Self {
-        let (short, long) = if other.arrival.length < self.arrival.length {
-            (other, self)
+        let longer = other.arrival.length >= self.arrival.length;
+        if other.kind == Known::Open && longer {
+            self
         } else {
-            (self, other)
-        };
-        if other.kind == Known::Proven {
-            return other;
-        }
-        let apart = long.arrival.length > short.arrival.length * (1.0 + SAME);
-        Self {
-            other: apart.then_some(long.arrival),
-            ..short
+            other
         }
     }
 }
@@ -239,7 +229,6 @@ impl<'a> Draft<'a> {
                     arrival: path.arrival(),
                     kind: Known::Open,
                     room,
-                    other: None,
                 };
                 (cell, path.last)
             }
@@ -257,7 +246,6 @@ impl<'a> Draft<'a> {
             arrival: Arrival::of(path),
             kind: Known::Exact,
             room: Room([0.0; 2]),
-            other: None,
         };
         if row.iter().any(Option::is_none) {
             let lost: Vec<SurfacePoint> = (0..row.len())

@@ -15,8 +15,8 @@
 //! Sturm's comparison. The sum is exact for narrow lenses; wide ones get the factor by which a
 //! cone's lens is wider ([`widening`]).
 //!
-//! Curvature is gathered in cells here ([`Masses`]), which bounds a whole block of neighbouring
-//! geodesics at once; `near` goes on with single vertices.
+//! The curvature is known here by its greatest density or gathered in cells ([`Masses`]), which bounds
+//! a whole block of neighbouring geodesics at once; `near` goes on with single vertices.
 
 use super::bounds::{FARTHEST, Near};
 use super::masses::{Masses, Whole};
@@ -130,9 +130,9 @@ impl Heights {
     /// Applies the comparison with the density of curvature ρ near a trail instead of single masses,
     /// and tells whether what is left is as low as the faces.
     ///
-    /// The third of the faces about a vertex reaches c from it at most. Those about the
-    /// vertices of a strip of width y are no larger than the strip and f = 2 c beside it, so they have
-    /// no more curvature than ρ (y + f) by length, though each has it in one place, c aside:
+    /// The third of the faces about a vertex reaches c from it at most. Those about the vertices of a
+    /// strip of width y are no larger than the strip and f = 2 c beside it, so they have no more
+    /// curvature than ρ (y + f) by length, though each has it in one place, c aside:
     ///
     /// ```text
     /// y(x) <= ∫ ρ (y + f) (g(x, r) + c) dr,   y(x) <= min(x, L - x) ∫ ρ (y + f) dr
