@@ -188,15 +188,13 @@ fn part_rows(lamella: &LamellaRecord) -> Vec<PartRow> {
             }
         })
         .collect();
-    let gross = lamella.width * lamella.length;
-    let density = lamella.mass / gross;
     rows.extend(pieces::plates(lamella).into_iter().map(|plate| PartRow {
         piece: "plate".to_owned(),
         length: plate.to - plate.from,
         holes: plate.joint.screws.len(),
         notches: 0,
         joints: 1,
-        mass: density * lamella.width * (plate.to - plate.from) / MM,
+        mass: plate.mass(),
         id: plate.id,
     }));
     rows

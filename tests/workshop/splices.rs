@@ -3,9 +3,13 @@
 use crate::common::job::Job;
 use crate::common::{python, synthetic};
 use crate::{golden, readers};
+use egg::fabrication::drawing::{Layer, Shape};
 use egg::fabrication::nesting::Settings;
+use egg::fabrication::part::{Part, PartStyle};
+use egg::fabrication::parts;
 use egg::fabrication::pieces::{pieces, plates};
 use egg::fabrication::splicing::{Rules, Spliced, Stock, splice};
+use egg::fabrication::summary::Summary;
 use egg::plan::{OpeningRecord, Plan};
 use egg::project::model::SpliceKind;
 
@@ -194,6 +198,47 @@ fn joints_that_are_bent_too_far_or_stand_close_to_a_crossing_are_told() {
     assert_eq!(of(&scaled(0.5), &usual, "W0730"), None);
 }
 
+/// Area of what is left of a part when it is cut, square millimetres.
+fn cut_area(part: &Part) -> f64 {
+    let area = |shape: &Shape| match shape {
+        Shape::Path(path) => path.area(),
+        Shape::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
+        Shape::Text(_) => 0.0,
+    };
+    let of = |layer: Layer| -> f64 {
+        let shapes = part.shapes.iter().filter(|entity| entity.layer == layer);
+        shapes.map(|entity| area(&entity.shape)).sum()
+    };
+    of(Layer::CutOuter) - of(Layer::CutInner)
+}
+
+#[test]
+fn the_summary_weighs_all_parts_that_are_cut_and_all_that_holds_them_as_the_bill_does() {
+    let job = Job::spliced(SpliceKind::Plate);
+    let style = PartStyle {
+        kerf: 0.0,
+        label_height: 0.004,
+        sticker_margin: 0.0,
+    };
+    let parts = parts(&job.plan, style).value;
+    assert!(parts.len() > job.plan.lamellae.len() + 10);
+    // Poplar of 3 mm.
+    let wood: f64 = parts.iter().map(|part| cut_area(part) * 1e-6).sum::<f64>() * 0.003 * 450.0;
+    let summary = Summary::new(&job.plan);
+    let summed = summary.lamella_mass + summary.plate_mass;
+    assert!((summed / wood - 1.0).abs() < 1e-9, "{summed} {wood}");
+    assert!(summary.plate_mass > 0.01 * summary.lamella_mass);
+
+    let rows = job.plan.bill_of_materials.iter();
+    let bought_whole = ["stock", "support", "consumable"];
+    let bill: f64 = rows
+        .filter(|row| !bought_whole.contains(&&*row.category))
+        .filter(|row| row.id != "tube" && row.id != "foil")
+        .map(|row| row.quantity * row.unit_mass.expect("all of this has a mass"))
+        .sum();
+    assert!((bill - summary.grid_mass()).abs() < 1e-9);
+}
+
 #[test]
 fn joints_are_in_the_bill_and_in_the_cut_list() {
     let count = |job: &Job| -> usize {
@@ -208,9 +253,9 @@ fn joints_are_in_the_bill_and_in_the_cut_list() {
     let finger = Job::spliced(SpliceKind::Finger);
     let glue = row(&finger, "glue-finger");
     assert!(glue.description.contains(&count(&finger).to_string()));
-    // Three flanks of 15 x 3 mm a joint.
-    let area = count(&finger) as f64 * 3.0 * 0.015 * 0.003;
-    assert!((glue.quantity - area).abs() < 1e-12);
+    // Three flanks of 1.5 x 0.3 cm a joint.
+    let area = count(&finger) as f64 * 3.0 * 1.5 * 0.3;
+    assert!((glue.quantity - area).abs() < 1e-9);
 
     let plate = Job::spliced(SpliceKind::Plate);
     let screws = 4 * count(&plate);

@@ -28,13 +28,13 @@ pub(in crate::build) const SPLICES: Stage<Rules, Vec<Node<Plan>>, Vec<Spliced>> 
 /// The chapter of a patch with the pieces of its lamellae.
 pub(in crate::build) const SPLICED: Stage<(), (Node<Plan>, Node<Vec<Spliced>>), Plan> = Stage {
     name: "spliced",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |(), (chapter, splices), _| {
         let mut chapter = chapter.clone();
         for lamella in &mut chapter.lamellae {
             if let Some(found) = splices.iter().find(|s| s.lamella == lamella.id) {
-                lamella.pieces.clone_from(&found.pieces);
+                found.put_into(lamella);
             }
         }
         plain(chapter)
@@ -147,7 +147,7 @@ type BillNeeds = (
 /// The bill of materials.
 pub(in crate::build) const BILL: Stage<BillInput, BillNeeds, Vec<BomRow>> = Stage {
     name: "bill",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (chapters, nest, foils, supports), _| {
         let mut plan = bind("", chapters.into_iter());
@@ -367,7 +367,7 @@ pub(in crate::build) struct TableInput {
 /// The tables and the step list.
 pub(in crate::build) const TABLE_FILES: Stage<TableInput, Node<Plan>, Files> = Stage {
     name: "table-files",
-    version: 3,
+    version: 4,
     numerics: Numerics::Portable,
     run: |input, plan, _| {
         let TableInput { hardware, grains } = input;

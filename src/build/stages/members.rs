@@ -220,7 +220,7 @@ type GridNeeds = (Node<Domain>, Node<Vec<Member>>, Node<Vec<Member>>);
 /// Crossings of both families.
 pub(in crate::build) const GRID: Stage<(), GridNeeds, Vec<Crossing>> = Stage {
     name: "grid",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |(), (domain, u, v), _| {
         plain(crossings_of(domain.mesh(), u, v).map_err(|wrong| miscrossings(&wrong))?)

@@ -22,7 +22,7 @@ mod joint;
 pub mod shopping;
 
 use super::index::PlanIndex;
-use super::part::{contact_reach, opening_extent};
+use super::part::{contact_reach, net_area, opening_extent};
 use super::units::MM;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Warned};
@@ -67,6 +67,15 @@ pub struct Spliced {
     pub lamella: String,
     /// Its pieces, at least two.
     pub pieces: Vec<PieceRecord>,
+}
+
+impl Spliced {
+    /// Gives a lamella its pieces; the holes for their screws take of its mass.
+    pub fn put_into(&self, lamella: &mut LamellaRecord) {
+        let whole = net_area(lamella);
+        lamella.pieces.clone_from(&self.pieces);
+        lamella.mass *= net_area(lamella) / whole;
+    }
 }
 
 /// Wood between a joint and an opening in bolt diameters, as between two openings.
