@@ -157,11 +157,15 @@ fn equal_plans_give_equal_splices_and_short_lamellae_none() {
 fn a_lamella_that_cannot_be_divided_is_told_with_what_to_do() {
     let plan = synthetic::pavilion();
     let told = splice(&plan, &rules(SpliceKind::Plate, 0.12)).expect_err("no place");
-    assert!(told.iter().all(|d| d.code.as_str() == "E0720"));
-    let help = told[0].help.clone().unwrap_or_default();
+    let [told] = &told[..] else {
+        panic!("one cause is told once: {told:?}");
+    };
+    assert_eq!(told.code.as_str(), "E0720");
+    let notes = told.notes.join("\n  note: ");
+    let help = told.help.clone().unwrap_or_default();
     golden(
         "no-place-for-splice.txt",
-        &format!("{}\n  help: {help}", told[0].message),
+        &format!("{}\n  note: {notes}\n  help: {help}", told.message),
     );
 }
 

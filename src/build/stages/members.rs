@@ -220,7 +220,7 @@ type GridNeeds = (Node<Domain>, Node<Vec<Member>>, Node<Vec<Member>>);
 /// Crossings of both families.
 pub(in crate::build) const GRID: Stage<(), GridNeeds, Vec<Crossing>> = Stage {
     name: "grid",
-    version: 2,
+    version: 1,
     numerics: Numerics::Portable,
     run: |(), (domain, u, v), _| {
         plain(crossings_of(domain.mesh(), u, v).map_err(|wrong| miscrossings(&wrong))?)
@@ -257,7 +257,7 @@ type LamellaNeeds = (Node<Vec<Member>>, Node<Vec<Member>>, Node<Vec<Crossing>>);
 /// Lamellae of a patch, u-family first.
 pub(in crate::build) const LAMELLAE: Stage<Section, LamellaNeeds, Vec<Lamella>> = Stage {
     name: "lamellae",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |section, (u, v, crossings), _| {
         let lamellae: Vec<Lamella> = u

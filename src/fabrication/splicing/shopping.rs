@@ -71,6 +71,11 @@ fn glue(kind: &str, count: usize, area: f64) -> BomRow {
     }
 }
 
+/// Length of the bolts through a lamella and a plate, metres; what is needed if none is so long.
+pub fn screw_length(series: &Series, lamella: &LamellaRecord) -> Result<f64, f64> {
+    series.bolt_length(2.0 * lamella.thickness)
+}
+
 /// Bolts through lamella and plate, each with a nut and two washers, as at crossings.
 fn screws(
     joints: &[(&LamellaRecord, &JointRecord)],
@@ -83,7 +88,7 @@ fn screws(
     // Lengths in micrometres, which compare exactly.
     let mut lengths: BTreeMap<u64, usize> = BTreeMap::new();
     for (lamella, joint) in joints {
-        let length = series.bolt_length(2.0 * lamella.thickness);
+        let length = screw_length(series, lamella);
         let length = length.map_err(|need| vec![too_short(lamella, need, &bolt.name)])?;
         *lengths.entry((length * 1e6) as u64).or_default() += joint.screws.len();
     }
