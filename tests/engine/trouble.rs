@@ -6,7 +6,8 @@ use egg::build::{
     Attempt, Built, CancelToken, Event, Failure, Graph, How, Node, Numerics, Request, Stage, canon,
 };
 use egg::diagnostics::{Code, Diagnostic, Warned};
-use std::sync::atomic::{AtomicU32, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicU32, Ordering};
+use std::time::Duration;
 
 fn build(workshop: &Workshop, declare: &dyn Fn(&mut Graph<'_>)) -> Built {
     let request = Request::default();
@@ -198,7 +199,7 @@ fn instances_with_one_key_run_once() {
         numerics: Numerics::Portable,
         run: |value, (), _| {
             RUNS.fetch_add(1, Ordering::SeqCst);
-            std::thread::sleep(std::time::Duration::from_millis(20));
+            std::thread::sleep(Duration::from_millis(20));
             plain(vec![*value; 1000])
         },
     };
@@ -255,8 +256,17 @@ fn a_graph_unfolds_in_several_steps() {
         name: "list",
         version: 1,
         numerics: Numerics::Portable,
-        run: |count, (), _| plain((0..*count).collect()),
+        // The longer list is known first.
+        run: |count, (), _| {
+            while *count == 1 && !LONGER.load(Ordering::SeqCst) {
+                std::thread::yield_now();
+            }
+            std::thread::sleep(Duration::from_millis(if *count == 1 { 50 } else { 0 }));
+            LONGER.fetch_or(*count == 2, Ordering::SeqCst);
+            plain((0..*count).collect())
+        },
     };
+    static LONGER: AtomicBool = AtomicBool::new(false);
     let workshop = Workshop::new();
     let declare = |g: &mut Graph<'_>| {
         let outer = g.add(&LIST, "outer", 3, ());

@@ -63,6 +63,11 @@ impl Status {
     pub(super) fn is_final(self) -> bool {
         !matches!(self, Self::Waiting | Self::Due | Self::Running)
     }
+
+    /// Whether it ended without a result.
+    pub(super) fn is_barren(self) -> bool {
+        self.is_final() && !self.has_result()
+    }
 }
 
 impl Entry<'_> {

@@ -196,16 +196,23 @@ impl Session<'_, '_> {
     }
 
     /// Continues the declaration where a value has become known; whether there was any.
+    ///
+    /// What was declared first is continued first, even if another value is known earlier: so the
+    /// order of the graph, in which stages and diagnostics are told, does not hang on the time
+    /// that stages take.
     fn unfold(&mut self) -> bool {
-        let ready = self
+        let next = self
             .graph
             .unfolds
             .iter()
-            .position(|(root, _)| self.entries[*root].status.has_result());
-        let Some(position) = ready else {
+            .position(|(root, _)| !self.entries[*root].status.is_barren());
+        let Some(position) = next else {
             return false;
         };
         let root = self.graph.unfolds[position].0;
+        if !self.entries[root].status.has_result() {
+            return false;
+        }
         match self.load(root) {
             Ok(value) => {
                 let (_, grow) = self.graph.unfolds.remove(position);
