@@ -167,6 +167,23 @@ fn a_lamella_that_cannot_be_divided_is_told_with_what_to_do() {
         "no-place-for-splice.txt",
         &format!("{}\n  note: {notes}\n  help: {help}", told.message),
     );
+    // Wider lamellae leave less between them, until nothing is left.
+    let note = |factor: f64| {
+        let mut plan = plan.clone();
+        for lamella in &mut plan.lamellae {
+            lamella.width *= factor;
+        }
+        let told = splice(&plan, &rules(SpliceKind::Plate, 0.9)).expect_err("no place");
+        told[0].notes[0].clone()
+    };
+    assert_eq!(
+        note(2.0),
+        "the widest stretch between its crossings is 43.9 mm long, a joint takes 75.6 mm"
+    );
+    assert_eq!(
+        note(3.0),
+        "its crossings leave no stretch free, a joint takes 75.6 mm"
+    );
 }
 
 #[test]
@@ -276,4 +293,49 @@ fn joints_are_in_the_bill_and_in_the_cut_list() {
     let text = String::from_utf8(list.bytes.clone()).expect("UTF-8");
     let plates = text.lines().filter(|line| line.contains(",plate,"));
     assert_eq!(plates.count(), count(&plate));
+}
+
+#[test]
+fn the_step_list_and_the_flat_layout_say_which_pieces_make_a_lamella() {
+    for kind in KINDS {
+        let job = Job::spliced(kind);
+        let text = |path: &str| {
+            let file = job.files().into_iter().find(|file| file.path == path);
+            String::from_utf8(file.expect("made").bytes).expect("UTF-8")
+        };
+        let steps = text("assembly.md");
+        let drawn = text("layout/west.svg");
+        let spliced = job.plan.lamellae.iter().filter(|l| !l.pieces.is_empty());
+        for lamella in spliced {
+            let row = steps
+                .lines()
+                .find(|line| line.starts_with(&format!("| {} | `{}a`", lamella.id, lamella.id)));
+            let row = row.unwrap_or_else(|| panic!("{kind:?}: no row for {}", lamella.id));
+            assert!(
+                lamella
+                    .pieces
+                    .iter()
+                    .all(|p| row.contains(&format!("`{}`", p.id)))
+            );
+            let has_all_plates = plates(lamella)
+                .iter()
+                .all(|plate| row.contains(&format!("`{}`", plate.id)));
+            assert!(has_all_plates, "{row}");
+            if kind == SpliceKind::Plate {
+                let screws = 4 * (lamella.pieces.len() - 1);
+                assert!(row.contains(&format!("| {screws} x M4x16 |")), "{row}");
+            }
+        }
+        assert!(drawn.contains("aria-label=\"a\"") && drawn.contains("aria-label=\"b\""));
+        // Wood is glued before it is coated, plates are bolted on when it is.
+        let at = |step: &str| steps.find(step);
+        match kind {
+            SpliceKind::Plate => assert!(at("Bolt the pieces together") > at("Sand and coat")),
+            _ => assert!(at("Glue the pieces") < at("Sand and coat")),
+        }
+    }
+    let whole = Job::pavilion().files();
+    let steps = whole.iter().find(|file| file.path == "assembly.md");
+    let steps = String::from_utf8_lossy(&steps.expect("made").bytes);
+    assert!(!steps.contains("pieces"), "{steps}");
 }

@@ -384,7 +384,9 @@ fn impossible(stuck: &[Stuck<'_>]) -> Option<Diagnostic> {
         ),
     };
     let length = joint.length * MM;
-    let why = if *room < joint.length {
+    let why = if *room <= 0.0 {
+        format!("its crossings leave no stretch free, a joint takes {length:.1} mm")
+    } else if *room < joint.length {
         format!(
             "the widest stretch between its crossings is {:.1} mm long, a joint takes {length:.1} mm",
             room * MM
