@@ -191,9 +191,10 @@ Examples:
   egg diff plan.lock                      what the project gives against its lock
   egg diff --format html --to diff.html   a page to look at")]
 pub(super) struct DiffArguments {
-    /// Revisions (or `A..B`), plans (`plan.ron`), a lock, a saved difference (`.json`); and the
-    /// project file where the folder has several
-    #[arg(value_name = "A B FILE", num_args = 0..=3)]
+    /// What is compared, before and after: revisions (or `A..B`), plans (`plan.ron`), locks, one saved
+    /// difference (`.json`); none is the working tree against HEAD. A project file (`.toml`, `.ron`)
+    /// beside them says which one is meant where a folder has several
+    #[arg(value_name = "WHAT", num_args = 0..=3)]
     pub(super) sides: Vec<String>,
     /// How the difference is written
     #[arg(long, value_enum, default_value_t, value_name = "FORMAT")]

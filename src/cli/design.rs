@@ -153,10 +153,17 @@ impl Opened {
         (notation, LengthText::of(units))
     }
 
-    /// Whether the file has a key.
-    pub(super) fn says<const N: usize>(&self, key: [&str; N]) -> bool {
+    /// The words of the file for the value at a key.
+    pub(super) fn said<'a>(&self, key: impl IntoIterator<Item = &'a str>) -> Option<&str> {
         let key = crate::diagnostics::KeyPath::of(key);
-        self.loaded.spans.contains(key.as_str())
+        let spans = &self.loaded.spans;
+        let has = spans.contains(key.as_str());
+        has.then(|| self.text.get(spans.value(key.as_str())))?
+    }
+
+    /// A path below the folder of the project file, as a person writes it.
+    pub(super) fn beside(&self, path: impl AsRef<Path>) -> PathBuf {
+        self.path.with_file_name("").join(path)
     }
 
     /// The folder of the project file.

@@ -163,7 +163,7 @@ pub(super) fn output_directory(global: &Global, opened: &Opened, project: &Proje
     global
         .out
         .clone()
-        .unwrap_or_else(|| opened.folder().join("build").join(folder))
+        .unwrap_or_else(|| opened.beside("build").join(folder))
 }
 
 fn settings(console: Console, global: &Global, output: &std::path::Path) -> Result<Settings, Exit> {

@@ -128,7 +128,13 @@ impl Quantity {
 
 /// A shown number as text: decimals of its quantity, trailing zeros and a negative zero dropped.
 pub fn number(value: f64, quantity: Quantity) -> String {
-    let mut text = format!("{value:.*}", quantity.decimals());
+    // An eighth of an inch is 3.175 mm, which is a little less in binary, and 3.18 for people.
+    let tie = if quantity == Quantity::Length {
+        value * 1e-12
+    } else {
+        0.0
+    };
+    let mut text = format!("{:.*}", quantity.decimals(), value + tie);
     if text.contains('.') {
         text.truncate(text.trim_end_matches('0').trim_end_matches('.').len());
     }
@@ -147,6 +153,8 @@ mod tests {
         let shown = |value, quantity: Quantity| number(quantity.shown(value), quantity);
         assert_eq!(shown(1.180_25, Quantity::Length), "1180.25");
         assert_eq!(shown(0.4, Quantity::Length), "400");
+        assert_eq!(shown(0.003_175, Quantity::Length), "3.18");
+        assert_eq!(shown(-0.003_175, Quantity::Length), "-3.18");
         assert_eq!(shown(-1e-12, Quantity::Length), "0");
         assert_eq!(shown(0.331, Quantity::Share), "33.1");
         assert_eq!(shown(20.0, Quantity::Count), "20");

@@ -9,7 +9,8 @@ use super::index::PlanIndex;
 use super::nesting::Group;
 use super::nodes::{Node, nodes};
 use super::part::net_area;
-use super::sections;
+use super::pieces::plates;
+use super::sections::{self, Strip};
 use super::sheet::trim;
 use super::splicing;
 use super::supports::drawing::layers;
@@ -17,7 +18,7 @@ use super::supports::{WEDGE_EDGE, thinnest_sheet};
 use super::units::MM;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Warned};
-use crate::plan::{BomRow, Plan, SupportBody, SupportRecord};
+use crate::plan::{BomRow, LamellaRecord, Plan, SupportBody, SupportRecord};
 use crate::project::model::{Hardware, Material, Stock, SupportKind};
 use std::collections::BTreeMap;
 
@@ -44,25 +45,33 @@ pub fn rows(plan: &Plan, shopping: &Shopping<'_>) -> Checked<Vec<BomRow>> {
     rows.extend(sections::rows(
         "lamella",
         "lamellae",
-        plan.lamellae
-            .iter()
-            .map(|lamella| (lamella, lamella.length)),
-        shopping.materials,
+        plan.lamellae.iter().map(|lamella| Strip {
+            lamella,
+            length: lamella.length,
+            mass: lamella.mass,
+        }),
     ));
     rows.extend(fasteners(plan, &nodes, shopping)?);
     rows.extend(shells(&nodes, shopping));
     rows.extend(stickers(plan, shopping));
     rows.extend(supports(plan, shopping));
-    rows.extend(splicing::shopping::rows(
-        plan,
-        shopping.hardware,
-        shopping.materials,
-    )?);
+    rows.extend(splicing::shopping::rows(plan, shopping.hardware)?);
     rows.extend(coating(plan));
     Ok(Warned {
         value: rows,
         warnings: Vec::new(),
     })
+}
+
+/// Whether a row is bought as such, and not cut, cast or printed from what another row has.
+pub fn is_bought(row: &BomRow) -> bool {
+    match row.category.as_str() {
+        "lamella" | "plate" => false,
+        "sleeve" => row.id == "tube",
+        "friction" => row.id == "foil",
+        "support" => !matches!(row.id.as_str(), "block" | "foot"),
+        _ => true,
+    }
 }
 
 /// Spares of pieces that get lost: a twentieth, at least two.
@@ -280,7 +289,7 @@ fn stickers(plan: &Plan, shopping: &Shopping<'_>) -> Vec<BomRow> {
             category: "friction".to_owned(),
             description: "sticker, one for each face in contact, cut from the foil".to_owned(),
             material: sticker.foil.clone(),
-            specification: format!("{foil}, {} cm2 in all", trim(area * 1e4)),
+            specification: format!("{foil}, {:.0} cm2 in all", area * 1e4),
             quantity: count as f64,
             unit: "pcs".to_owned(),
             spare: spare(count),
@@ -404,16 +413,23 @@ fn supports(plan: &Plan, shopping: &Shopping<'_>) -> Vec<BomRow> {
     rows
 }
 
-/// Both faces and the edges of all lamellae.
+/// Both faces and the edges of all lamellae and plates.
 fn coating(plan: &Plan) -> Vec<BomRow> {
-    let area: f64 = plan
+    // Millimetres.
+    let surface = |lamella: &LamellaRecord, length: f64, face: f64| {
+        let edges = 2.0 * (length + lamella.width * MM) * lamella.thickness * MM;
+        (2.0 * face + edges) / (MM * MM)
+    };
+    let of_lamellae = plan
         .lamellae
         .iter()
-        .map(|lamella| {
-            let edges = 2.0 * (lamella.length + lamella.width) * lamella.thickness;
-            2.0 * net_area(lamella) / (MM * MM) + edges
-        })
-        .sum();
+        .map(|lamella| surface(lamella, lamella.length * MM, net_area(lamella)));
+    let of_plates = plan
+        .lamellae
+        .iter()
+        .flat_map(plates)
+        .map(|plate| surface(plate.lamella, plate.to - plate.from, plate.net_area()));
+    let area: f64 = of_lamellae.chain(of_plates).sum();
     vec![BomRow {
         id: "coating".to_owned(),
         category: "consumable".to_owned(),

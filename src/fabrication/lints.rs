@@ -7,6 +7,7 @@
 use super::hardware::Series;
 use super::outputs::{Grains, Workshop};
 use super::part::opening_extent;
+use super::sheet::trim;
 use super::units::MM;
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::fabrication as codes;
@@ -263,15 +264,18 @@ fn small_holes(lamellae: &[LamellaRecord]) -> Vec<Diagnostic> {
         Diagnostic::warning(
             codes::SMALL_HOLE,
             format!(
-                "openings of {:.1} mm in a sheet of {:.1} mm, {HOLE_IN_THICKNESSES} thicknesses \
-                 are {:.1} mm, on `{}`{}",
-                smallest(lamella),
-                lamella.thickness * MM,
-                HOLE_IN_THICKNESSES * lamella.thickness * MM,
+                "openings of {} mm in a sheet of {} mm, {HOLE_IN_THICKNESSES} thicknesses are {} mm, \
+                 on `{}`{}",
+                trim(smallest(lamella)),
+                trim(lamella.thickness * MM),
+                trim(HOLE_IN_THICKNESSES * lamella.thickness * MM),
                 lamella.id,
                 and_others(count)
             ),
         )
+        .at_key("hardware.bolt", "openings are as wide as the bolt and its play")
+        .note("smaller openings come out conical and charred")
+        .help("a thicker bolt, a thinner sheet, or a test cut with `egg coupon`")
         .about(&lamella.id)
     })
     .collect()
@@ -350,13 +354,17 @@ fn spacing(lamellae: &[LamellaRecord], workshop: &Workshop) -> Option<Diagnostic
         Diagnostic::warning(
             codes::NARROW_SPACING,
             format!(
-                "parts are {:.1} mm apart, {:.1} mm are usual for this sheet",
-                workshop.spacing * MM,
-                least * MM
+                "parts are {} mm apart, {} mm are usual for this sheet",
+                trim(workshop.spacing * MM),
+                trim(least * MM)
             ),
         )
         .at_key("fabrication.spacing", "narrow")
         .note("half the thickness and the kerf, at least 2 mm")
+        .help(format!(
+            "`spacing = \"{} mm\"` in `[fabrication]` leaves a strip of waste that holds",
+            trim(least * MM)
+        ))
     })
 }
 
@@ -372,9 +380,9 @@ fn foil(lamellae: &[LamellaRecord], hardware: &Hardware) -> Option<Diagnostic> {
         Diagnostic::warning(
             codes::FOIL_THICK,
             format!(
-                "two foils of {:.2} mm lie between lamellae of {:.1} mm",
-                sticker.thickness * MM,
-                thinnest * MM
+                "two foils of {} mm lie between lamellae of {} mm",
+                trim(sticker.thickness * MM),
+                trim(thinnest * MM)
             ),
         )
         .at_key("hardware.sticker.thickness", "thick")

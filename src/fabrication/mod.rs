@@ -29,6 +29,8 @@ pub mod assembly;
 pub mod bom;
 pub mod cladding_plot;
 pub mod coupon;
+mod curve;
+mod cut_list;
 pub mod drawing;
 pub mod dxf;
 pub mod from_above;
@@ -61,6 +63,7 @@ pub mod tables;
 pub mod units;
 pub mod workbook;
 
+pub use cut_list::Woods;
 pub use network::NamedQuad;
 pub use outputs::{
     Grains, Inputs, OutputFile, SheetSettings, Workshop, above_files, assembly_file, blanks, check,

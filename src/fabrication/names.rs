@@ -1,4 +1,17 @@
-//! Names of files.
+//! Names of files, and lists of ids in words.
+
+/// So many ids are named, the others counted.
+const NAMED: usize = 6;
+
+/// Ids in words: the first few of them, and how many more there are.
+pub fn listed<'a>(ids: impl ExactSizeIterator<Item = &'a str>) -> String {
+    let more = ids.len().saturating_sub(NAMED);
+    let names: Vec<String> = ids.take(NAMED).map(|id| format!("`{id}`")).collect();
+    match more {
+        0 => names.join(", "),
+        more => format!("{} and {more} more", names.join(", ")),
+    }
+}
 
 /// A user's name as a part of a file name: letters and digits of ASCII, `-` and `_` stay, each
 /// run of anything else becomes one `-`.

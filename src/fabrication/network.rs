@@ -1,7 +1,9 @@
 //! The layout from above: anchors, sides and patches with their names, and which way the families
 //! of each patch run. A picture that fits on a page, x and y of the surface.
 
-use super::drawing::{Anchor, Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text};
+use super::drawing::{
+    Anchor, Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text, upright,
+};
 use super::sheet::trim;
 use super::units::{MM, round_length};
 use crate::plan::{EdgeRecord, PatchRecord, PointRecord};
@@ -131,15 +133,7 @@ impl Sketch {
         self.drawing.draw(Layer::Side, &edge.id, path);
         let (middle, along) = halfway(&line);
         // Along the edge, to be read from below or from the right.
-        let angle = libm::atan2(along[1], along[0]);
-        let half = core::f64::consts::FRAC_PI_2;
-        let angle = if angle > half {
-            angle - 2.0 * half
-        } else if angle <= -half {
-            angle + 2.0 * half
-        } else {
-            angle
-        };
+        let (angle, _) = upright(libm::atan2(along[1], along[0]));
         let height = 0.55 * self.letters;
         let (sin, cos) = libm::sincos(angle);
         let at = [

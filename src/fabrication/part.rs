@@ -19,7 +19,7 @@ use super::stroke_font;
 use super::units::MM;
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::fabrication as codes;
-use crate::plan::{CrossingRecord, LamellaRecord, MemberRecord, OpeningRecord};
+use crate::plan::{CrossingRecord, JointRecord, LamellaRecord, MemberRecord, OpeningRecord};
 use crate::project::model::{Fabrication, Hardware, SpliceKind};
 use serde::Serialize;
 
@@ -242,7 +242,8 @@ pub fn opening_extent(lamella: &LamellaRecord, opening: &OpeningRecord) -> ([f64
     }
 }
 
-/// Area of the cut part, square millimetres: outline less openings, without kerf.
+/// Area of what is cut of a lamella, all pieces together, square millimetres: outline less openings
+/// and holes for screws, without kerf.
 pub fn net_area(lamella: &LamellaRecord) -> f64 {
     let openings: f64 = lamella
         .openings
@@ -253,7 +254,19 @@ pub fn net_area(lamella: &LamellaRecord) -> f64 {
             Shape::Text(_) => 0.0,
         })
         .sum();
-    outline::whole(lamella, 0.0).area() - openings
+    let screws: f64 = lamella
+        .pieces
+        .iter()
+        .filter_map(|piece| piece.joint.as_ref())
+        .map(screw_area)
+        .sum();
+    outline::whole(lamella, 0.0).area() - openings - screws
+}
+
+/// Area of all holes for screws of a joint, square millimetres.
+pub fn screw_area(joint: &JointRecord) -> f64 {
+    let radius = 0.5 * joint.hole * MM;
+    joint.screws.len() as f64 * core::f64::consts::PI * radius * radius
 }
 
 fn label(

@@ -8,7 +8,7 @@
 //! Everything here is read off the plan's records. Millimetres from the start of the lamella.
 
 use super::nesting::Blank;
-use super::part::opening_extent;
+use super::part::{net_area, opening_extent, screw_area};
 use super::units::MM;
 use crate::plan::{JointRecord, LamellaRecord, OpeningRecord, PieceRecord};
 use crate::project::model::{Grain, SpliceKind};
@@ -64,6 +64,18 @@ impl End<'_> {
                 SpliceKind::Plate => 0.5 * joint.length * MM,
             },
         }
+    }
+}
+
+impl Plate<'_> {
+    /// Area of the cut part, square millimetres, without kerf.
+    pub fn net_area(&self) -> f64 {
+        self.lamella.width * MM * (self.to - self.from) - screw_area(self.joint)
+    }
+
+    /// Kilograms: it is of the wood of its lamella.
+    pub fn mass(&self) -> f64 {
+        self.lamella.mass * self.net_area() / net_area(self.lamella)
     }
 }
 

@@ -3,38 +3,45 @@
 use super::sheet::trim;
 use super::units::MM;
 use crate::plan::{BomRow, LamellaRecord};
-use crate::project::model::Material;
 use std::collections::BTreeMap;
 
-/// Rows in metres, by id. A strip has material and section of a lamella and a length, metres; ids
-/// begin with `prefix`, and `what` names the strips in words. They are not bought as such, but what
-/// a panel becomes.
+/// Something of the section and the material of a lamella.
+pub(super) struct Strip<'a> {
+    pub(super) lamella: &'a LamellaRecord,
+    /// Metres.
+    pub(super) length: f64,
+    /// Kilograms.
+    pub(super) mass: f64,
+}
+
+/// Rows in metres, by id. Ids begin with the category, `what` names the strips in words. They are
+/// not bought as such, but what a panel becomes.
 pub(super) fn rows<'a>(
-    prefix: &str,
+    category: &str,
     what: &str,
-    strips: impl IntoIterator<Item = (&'a LamellaRecord, f64)>,
-    materials: &[Material],
+    strips: impl IntoIterator<Item = Strip<'a>>,
 ) -> Vec<BomRow> {
-    let mut sections: BTreeMap<String, (usize, f64, &LamellaRecord)> = BTreeMap::new();
-    for (lamella, length) in strips {
+    let mut sections: BTreeMap<String, Vec<Strip<'_>>> = BTreeMap::new();
+    for strip in strips {
+        let lamella = strip.lamella;
         let id = format!(
-            "{prefix}-{}-{}x{}",
+            "{category}-{}-{}x{}",
             lamella.material,
             trim(lamella.width * MM),
             trim(lamella.thickness * MM)
         );
-        let entry = sections.entry(id).or_insert((0, 0.0, lamella));
-        entry.0 += 1;
-        entry.1 += length;
+        sections.entry(id).or_default().push(strip);
     }
     sections
         .into_iter()
-        .map(|(id, (count, metres, first))| {
-            let material = materials.iter().find(|m| m.name == first.material);
-            BomRow {
+        .filter_map(|(id, strips)| {
+            let first = strips.first()?.lamella;
+            let metres: f64 = strips.iter().map(|strip| strip.length).sum();
+            let mass: f64 = strips.iter().map(|strip| strip.mass).sum();
+            Some(BomRow {
                 id,
-                category: "lamella".to_owned(),
-                description: format!("{count} {what}, cut from the panels"),
+                category: category.to_owned(),
+                description: format!("{} {what}, cut from the panels", strips.len()),
                 material: first.material.clone(),
                 specification: format!(
                     "{} x {} mm",
@@ -44,9 +51,9 @@ pub(super) fn rows<'a>(
                 quantity: metres,
                 unit: "m".to_owned(),
                 spare: 0.0,
-                unit_mass: material.map(|m| m.density * first.width * first.thickness),
+                unit_mass: (metres > 0.0).then(|| mass / metres),
                 unit_cost: None,
-            }
+            })
         })
         .collect()
 }

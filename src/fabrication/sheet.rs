@@ -6,7 +6,7 @@
 //! reference bar to check the scale with, and a title that says what a workshop must know: name,
 //! material, sheet, scale, kerf, grain and the hash of what is cut.
 
-use super::drawing::{Anchor, Closure, Drawing, Entity, Layer, Palette, Path, Shape, Text};
+use super::drawing::{Anchor, Bounds, Closure, Drawing, Entity, Layer, Palette, Path, Shape, Text};
 use super::nesting::TITLE_STRIP;
 use super::part::Part;
 use super::passage::{self, Seams};
@@ -186,8 +186,7 @@ pub fn overview(sheet: &SheetRecord, parts: &Parts<'_>, style: &SheetStyle<'_>) 
             let layer = match entity.layer {
                 Layer::CutOuter => Layer::LamellaU,
                 Layer::CutInner => {
-                    let bounds = entity.shape.bounds();
-                    openings.push([bounds.min[0], bounds.max[0]]);
+                    openings.push(entity.shape.bounds());
                     Layer::OpeningU
                 }
                 _ => continue,
@@ -312,14 +311,17 @@ pub(super) fn guide(drawing: &mut Drawing, title: &str) {
 }
 
 /// A part's id in the first stretch between openings that takes it at full size, otherwise as
-/// large as the longest one does.
-fn large_label(part: &Part, openings: &[[f64; 2]]) -> Text {
+/// large as the longest one does, or above all openings where that is larger.
+fn large_label(part: &Part, openings: &[Bounds]) -> Text {
     let full = 0.55 * part.width;
     let width = stroke_font::width(&part.id);
     let fitting = |[from, to]: [f64; 2]| (0.85 * (to - from) / width).min(full);
     let [first, last] = part.ends;
-    let starts = [first].into_iter().chain(openings.iter().map(|o| o[1]));
-    let ends = openings.iter().map(|o| o[0]).chain([part.length - last]);
+    let starts = [first].into_iter().chain(openings.iter().map(|o| o.max[0]));
+    let ends = openings
+        .iter()
+        .map(|o| o.min[0])
+        .chain([part.length - last]);
     let mut best = [0.0, part.length];
     let mut height = 0.0;
     for stretch in starts.zip(ends).map(<[f64; 2]>::from) {
@@ -328,9 +330,23 @@ fn large_label(part: &Part, openings: &[[f64; 2]]) -> Text {
             height = fitting(stretch);
         }
     }
-    let middle = [0.5 * (best[0] + best[1]), 0.5 * (part.width - height)];
+    let highest = openings.iter().map(|o| o.max[1]).fold(0.0, f64::max);
+    let band = part.width - highest;
+    let above = (0.85 * (part.length - first - last) / width).min(0.6 * band);
+    let middle = if above > height {
+        height = above;
+        [
+            0.5 * (first + part.length - last),
+            highest + 0.5 * (band - height),
+        ]
+    } else {
+        [0.5 * (best[0] + best[1]), 0.5 * (part.width - height)]
+    };
     Text::new(&part.id, middle, height).anchored(Anchor::Middle)
 }
+
+/// Halves in decimals are a little less than that in binary.
+const TIE: f64 = 1e-9;
 
 fn kerf_statement(kerf: f64) -> String {
     if kerf > 0.0 {
@@ -348,8 +364,9 @@ fn grain_statement(grain: Grain) -> &'static str {
     }
 }
 
-/// A dimension as people write it: at most two decimals.
+/// A dimension as people write it: at most three decimals, half of the last one upwards. An eighth
+/// of an inch is 3.175 mm, a sixteenth 1.588 mm.
 pub fn trim(value: f64) -> String {
-    let text = format!("{value:.2}");
+    let text = format!("{:.3}", value + TIE);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

@@ -4,6 +4,7 @@
 //! over 3.1 x 2.1 m are 1.09 kg/m2); that is [`Summary::per_rectangle`]. The area that the patches
 //! cover, seen from above, is smaller. Load paths and reactions are the matter of statics.
 
+use super::bom::is_bought;
 use crate::plan::{BomRow, PatchRecord, Plan};
 
 /// Numbers of a plan that has its bill. Metres, kilograms.
@@ -15,6 +16,8 @@ pub struct Summary {
     pub metres: f64,
     /// Mass of all lamellae.
     pub lamella_mass: f64,
+    /// Mass of the plates over joints.
+    pub plate_mass: f64,
     /// Mass of bolts, nuts, washers, shells and stickers that stay in the grid.
     pub hardware_mass: f64,
     /// Sides of the smallest rectangle around the structure, seen from above, the longer first.
@@ -27,7 +30,7 @@ pub struct Summary {
     pub support_mass: f64,
     /// Sum of all rows with a price, spares included, in the project's currency.
     pub cost: Option<f64>,
-    /// Rows of things to buy without a price.
+    /// Rows of things to buy without a price; what is made from another row is not one of them.
     pub unpriced: usize,
 }
 
@@ -35,22 +38,26 @@ impl Summary {
     /// Adds up a plan.
     pub fn new(plan: &Plan) -> Self {
         let bill = &plan.bill_of_materials;
-        let in_grid = |row: &&BomRow| match row.category.as_str() {
+        let mass = |is_counted: &dyn Fn(&BomRow) -> bool| -> f64 {
+            let counted = bill.iter().filter(|row| is_counted(row));
+            counted
+                .map(|row| row.quantity * row.unit_mass.unwrap_or(0.0))
+                .sum()
+        };
+        let is_hardware = |row: &BomRow| match row.category.as_str() {
             "fastener" => true,
             // Tube and foil are what shells and stickers are cut from.
-            "sleeve" | "friction" => row.id != "tube" && row.id != "foil",
+            "sleeve" | "friction" => !is_bought(row),
             _ => false,
         };
-        let mass = |row: &BomRow| row.quantity * row.unit_mass.unwrap_or(0.0);
         let cost = |row: &BomRow| Some((row.quantity + row.spare) * row.unit_cost?);
         let costs: Vec<f64> = bill.iter().filter_map(cost).collect();
-        // Lamellae are cut from the panels that are bought.
-        let bought = bill.iter().filter(|row| row.category != "lamella");
         Self {
             lamellae: plan.lamellae.len(),
             metres: plan.lamellae.iter().map(|l| l.length).sum(),
-            lamella_mass: plan.lamellae.iter().map(|l| l.mass).sum(),
-            hardware_mass: bill.iter().filter(in_grid).map(mass).sum(),
+            lamella_mass: mass(&|row| row.category == "lamella"),
+            plate_mass: mass(&|row| row.category == "plate"),
+            hardware_mass: mass(&is_hardware),
             rectangle: rectangle(plan),
             covered: plan.patches.iter().map(|p| covered(plan, p)).sum(),
             supports: plan.supports.len(),
@@ -60,13 +67,16 @@ impl Summary {
                 .filter_map(|support| Some(support.body?.mass))
                 .sum(),
             cost: (!costs.is_empty()).then(|| costs.iter().sum()),
-            unpriced: bought.filter(|row| row.unit_cost.is_none()).count(),
+            unpriced: bill
+                .iter()
+                .filter(|row| is_bought(row) && row.unit_cost.is_none())
+                .count(),
         }
     }
 
     /// Mass of the grid without supports.
     pub fn grid_mass(&self) -> f64 {
-        self.lamella_mass + self.hardware_mass
+        self.lamella_mass + self.plate_mass + self.hardware_mass
     }
 
     /// Kilograms a square metre of the rectangle around it; 0 if it has no area.
@@ -90,8 +100,13 @@ impl Summary {
                 format!("{:.3}", self.lamella_mass),
                 "kg",
             ),
+        ];
+        if self.plate_mass > 0.0 {
+            lines.push(("mass of plates", format!("{:.3}", self.plate_mass), "kg"));
+        }
+        lines.extend([
             (
-                "mass of bolts, shells and stickers",
+                "mass of bolts, nuts, washers, shells and stickers",
                 format!("{:.3}", self.hardware_mass),
                 "kg",
             ),
@@ -115,7 +130,7 @@ impl Summary {
                 format!("{:.2}", self.support_mass),
                 "kg",
             ),
-        ];
+        ]);
         if let Some(cost) = self.cost {
             lines.push(("cost of what has a price", format!("{cost:.2}"), ""));
         }

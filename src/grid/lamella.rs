@@ -33,7 +33,7 @@ pub struct Lamella {
     pub index: u32,
     /// Metres, end margins included.
     pub length: f64,
-    /// Kilograms, openings subtracted.
+    /// Kilograms, round ends and openings subtracted.
     pub mass: f64,
     /// Along the member, ascending.
     pub openings: Vec<Opening>,
@@ -90,7 +90,7 @@ pub fn lamella(member: &Member, crossings: &[Crossing], section: &Section) -> La
     openings.sort_by(|a, b| a.extent().0.total_cmp(&b.extent().0));
     let length = member.length_surface() + 2.0 * section.end_margin;
     let open: f64 = openings.iter().map(Opening::area).sum();
-    let area = length * section.width - open;
+    let area = strip_area(length, section.width) - open;
     Lamella {
         family: member.family,
         index: member.index,
@@ -98,6 +98,12 @@ pub fn lamella(member: &Member, crossings: &[Crossing], section: &Section) -> La
         mass: area * section.thickness * section.density,
         openings,
     }
+}
+
+/// Area of a strip with round ends, half circles over the whole width.
+fn strip_area(length: f64, width: f64) -> f64 {
+    let across = width.min(length);
+    length * width - (1.0 - 0.25 * std::f64::consts::PI) * across * across
 }
 
 fn position_on(member: &Member, crossing: &Crossing) -> Option<Positions> {

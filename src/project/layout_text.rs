@@ -1,8 +1,11 @@
 //! Points and patches as text of a project file, with all that names them: what `egg split` prints, to
-//! be pasted and kept. What is written is read back to the last bit.
+//! be pasted and kept. What is written is read back to the last bit, and what stays as it is keeps the
+//! words of the file.
 
 use super::Notation;
+use super::decimal::Decimal;
 use super::model::{Anchor, Family, Patch, Point, Project};
+use super::units::{FOOT, INCH, Unit};
 use std::fmt::Write;
 
 /// How lengths are written.
@@ -13,15 +16,18 @@ pub enum LengthText {
         /// The power.
         power: usize,
     },
-    /// With the unit metre, in files whose unit is no power of ten of it.
-    Metres,
+    /// Bare in inches, or with the unit metre where no number of inches is the same to the last bit.
+    Inches,
+    /// The same in feet.
+    Feet,
 }
 
 impl LengthText {
     /// For a file with these `project.units`; millimetres where unsaid.
     pub fn of(units: Option<&str>) -> Self {
         match units {
-            Some("in" | "ft") => Self::Metres,
+            Some("in") => Self::Inches,
+            Some("ft") => Self::Feet,
             Some("m") => Self::Decimal { power: 0 },
             Some("cm") => Self::Decimal { power: 2 },
             _ => Self::Decimal { power: 3 },
@@ -29,62 +35,77 @@ impl LengthText {
     }
 
     fn write(self, metres: f64) -> String {
-        match self {
-            Self::Metres => format!("\"{metres} m\""),
-            Self::Decimal { power } => shifted(&format!("{metres}"), power),
-        }
+        let unit = match self {
+            Self::Decimal { power } => return shifted(&format!("{metres}"), power),
+            Self::Inches => INCH,
+            Self::Feet => FOOT,
+        };
+        in_unit(metres, unit).unwrap_or_else(|| format!("\"{metres} m\""))
     }
 }
 
-/// What a project says of the lamellae of one patch.
+/// A length in a unit, if a number of it is read back to the last bit.
+fn in_unit(metres: f64, unit: Unit) -> Option<String> {
+    let number = metres / unit.size();
+    let short = (number * 1e9).round() / 1e9;
+    let texts = [short, number].map(|number| number.to_string());
+    texts.into_iter().find(|text| {
+        let read = Decimal::parse(text).map(|d| d.scaled(unit.factor, unit.power).to_f64());
+        read == Some(metres)
+    })
+}
+
+/// What a project says of the lamellae of one patch, in its words.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OwnLamella {
     /// Name of the patch.
     pub patch: String,
-    /// Width, metres, if it says one.
-    pub width: Option<f64>,
-    /// Thickness, metres, if it says one.
-    pub thickness: Option<f64>,
+    /// Width, if it says one.
+    pub width: Option<String>,
+    /// Thickness, if it says one.
+    pub thickness: Option<String>,
     /// Material, if it says one.
     pub material: Option<String>,
 }
 
 impl OwnLamella {
     /// Its keys with their values.
-    fn fields(&self, is: &str, lengths: LengthText) -> Vec<String> {
-        let length = |key: &str, metres: Option<f64>| {
-            metres.map(|metres| format!("{key}{is}{}", lengths.write(metres)))
-        };
-        let material = self.material.as_ref();
-        [
-            length("width", self.width),
-            length("thickness", self.thickness),
-            material.map(|name| format!("material{is}\"{name}\"")),
-        ]
-        .into_iter()
-        .flatten()
-        .collect()
+    fn fields(&self, is: &str) -> Vec<String> {
+        let said = [
+            ("width", &self.width),
+            ("thickness", &self.thickness),
+            ("material", &self.material),
+        ];
+        said.into_iter()
+            .filter_map(|(key, value)| Some(format!("{key}{is}{}", value.as_ref()?)))
+            .collect()
     }
+}
+
+/// How a layout is written.
+#[derive(Clone, Copy)]
+pub struct Writing<'a> {
+    /// TOML or RON.
+    pub notation: Notation,
+    /// Lengths that the file does not have.
+    pub lengths: LengthText,
+    /// The words of the file for the value at a key, where it is still the same.
+    pub said: &'a dyn Fn(&[&str]) -> Option<&'a str>,
 }
 
 /// The tables `points`, `patches`, `distribution` and those of lamellae of single patches, as text
 /// that replaces those of the project's file.
-pub fn layout_text(
-    project: &Project,
-    own: &[OwnLamella],
-    notation: Notation,
-    lengths: LengthText,
-) -> String {
-    match notation {
-        Notation::Toml => toml(project, own, lengths),
-        Notation::Ron => ron(project, own, lengths),
+pub fn layout_text(project: &Project, own: &[OwnLamella], writing: Writing<'_>) -> String {
+    match writing.notation {
+        Notation::Toml => toml(project, own, writing),
+        Notation::Ron => ron(project, own, writing),
     }
 }
 
-fn toml(project: &Project, own: &[OwnLamella], lengths: LengthText) -> String {
+fn toml(project: &Project, own: &[OwnLamella], writing: Writing<'_>) -> String {
     let mut text = String::from("[points]\n");
     for point in &project.points {
-        let place = place(point, lengths, |edge, at| {
+        let place = place(point, writing, |edge, at| {
             format!("{{ on = [\"{}\", \"{}\"], at = {at} }}", edge[0], edge[1])
         });
         let place = match &point.anchor {
@@ -102,7 +123,7 @@ fn toml(project: &Project, own: &[OwnLamella], lengths: LengthText) -> String {
             let _ = writeln!(text, "members = {{ {members} }}");
         }
         if let Some(alpha) = patch.alpha {
-            let _ = writeln!(text, "alpha = {}", degrees(alpha));
+            let _ = writeln!(text, "alpha = {}", angle(patch, alpha, writing));
         }
     }
     let (weights, closed) = (weights(project, " = "), closed(project));
@@ -117,17 +138,17 @@ fn toml(project: &Project, own: &[OwnLamella], lengths: LengthText) -> String {
     }
     for lamella in own {
         let _ = writeln!(text, "\n[lamella.{}]", lamella.patch);
-        for field in lamella.fields(" = ", lengths) {
+        for field in lamella.fields(" = ") {
             let _ = writeln!(text, "{field}");
         }
     }
     text
 }
 
-fn ron(project: &Project, own: &[OwnLamella], lengths: LengthText) -> String {
+fn ron(project: &Project, own: &[OwnLamella], writing: Writing<'_>) -> String {
     let mut text = String::from("points: {\n");
     for point in &project.points {
-        let place = place(point, lengths, |edge, at| {
+        let place = place(point, writing, |edge, at| {
             format!("(on: (\"{}\", \"{}\"), at: {at})", edge[0], edge[1])
         });
         let place = match &point.anchor {
@@ -145,7 +166,7 @@ fn ron(project: &Project, own: &[OwnLamella], lengths: LengthText) -> String {
             let _ = write!(fields, ", members: ({members})");
         }
         if let Some(alpha) = patch.alpha {
-            let _ = write!(fields, ", alpha: {}", degrees(alpha));
+            let _ = write!(fields, ", alpha: {}", angle(patch, alpha, writing));
         }
         let _ = writeln!(text, "    \"{}\": ({fields}),", patch.name);
     }
@@ -165,16 +186,19 @@ fn ron(project: &Project, own: &[OwnLamella], lengths: LengthText) -> String {
         text.push_str("// These belong into `lamella`:\n");
     }
     for lamella in own {
-        let fields = lamella.fields(": ", lengths).join(", ");
+        let fields = lamella.fields(": ").join(", ");
         let _ = writeln!(text, "    \"{}\": ({fields}),", lamella.patch);
     }
     text
 }
 
-fn place(point: &Point, lengths: LengthText, on: impl Fn(&[String; 2], f64) -> String) -> String {
+fn place(point: &Point, writing: Writing<'_>, on: impl Fn(&[String; 2], f64) -> String) -> String {
     let list = |lengths_of: &[f64]| {
-        let all: Vec<String> = lengths_of.iter().map(|&x| lengths.write(x)).collect();
-        format!("[{}]", all.join(", "))
+        if let Some(said) = (writing.said)(&["points", &point.name]) {
+            return said.to_owned();
+        }
+        let lengths = lengths_of.iter().map(|&x| writing.lengths.write(x));
+        format!("[{}]", lengths.collect::<Vec<String>>().join(", "))
     };
     match &point.anchor {
         Anchor::Above(at) => list(at),
@@ -208,9 +232,13 @@ fn closed(project: &Project) -> String {
     said.collect::<Vec<String>>().join(", ")
 }
 
-/// Degrees of an angle, without the digits that the way through radians left.
-fn degrees(radians: f64) -> f64 {
-    (radians.to_degrees() * 1e9).round() / 1e9
+/// The planar angle of a patch, in degrees where the file does not say it: without the digits that
+/// the way through radians left.
+fn angle(patch: &Patch, radians: f64, writing: Writing<'_>) -> String {
+    match (writing.said)(&["patches", &patch.name, "alpha"]) {
+        Some(said) => said.to_owned(),
+        None => ((radians.to_degrees() * 1e9).round() / 1e9).to_string(),
+    }
 }
 
 /// A decimal number times a power of ten, exactly.
@@ -246,6 +274,18 @@ mod tests {
             ("1.5", 0, "1.5"),
         ] {
             assert_eq!(shifted(decimal, power), moved);
+        }
+    }
+
+    #[test]
+    fn whole_inches_and_feet_are_written_as_such() {
+        for (units, metres, text) in [
+            ("in", 0.1524, "6"),
+            ("in", 0.0254 * 0.125, "0.125"),
+            ("ft", 0.9144, "3"),
+            ("in", 0.0, "0"),
+        ] {
+            assert_eq!(LengthText::of(Some(units)).write(metres), text);
         }
     }
 
@@ -288,11 +328,17 @@ mod tests {
             let notation = if ron { Notation::Ron } else { Notation::Toml };
             let own = [OwnLamella {
                 patch: "p".to_owned(),
-                width: Some(0.02 + 0.001 * x.abs()),
+                width: Some("\"21.5 mm\"".to_owned()),
                 thickness: None,
-                material: Some("limewood".to_owned()),
+                material: Some("\"limewood\"".to_owned()),
             }];
-            let text = layout_text(&project, &own, notation, LengthText::of(Some(units)));
+            let writing = Writing {
+                notation,
+                lengths: LengthText::of(Some(units)),
+                said: &|key| (key == ["points", "a"]).then_some("[\"0 mm\", 0]"),
+            };
+            let text = layout_text(&project, &own, writing);
+            prop_assert!(text.contains("[\"0 mm\", 0]"), "{}", text);
             let text = if ron {
                 // Fields of a single patch go where those of all are.
                 let (text, own) = text.split_once("// These").expect("lamellae");
@@ -310,8 +356,7 @@ mod tests {
             let alpha = again.patches[0].alpha.unwrap() - project.patches[0].alpha.unwrap();
             prop_assert!(alpha.abs() < 1e-11);
             let lamella = &again.patches[0].lamella;
-            prop_assert_eq!(Some(lamella.width), own[0].width);
-            prop_assert_eq!(Some(&lamella.material), own[0].material.as_ref());
+            prop_assert_eq!((lamella.width, &*lamella.material), (0.0215, "limewood"));
         }
     }
 }

@@ -40,7 +40,7 @@ use model::Project;
 use notation::{Node, Value};
 
 pub use file::words::FORMAT;
-pub use layout_text::{LengthText, OwnLamella, layout_text};
+pub use layout_text::{LengthText, OwnLamella, Writing, layout_text};
 pub use notation::Notation;
 pub use schema::schema;
 pub use template::{TEMPLATE_EXTENT, template};

@@ -57,7 +57,7 @@ impl Job {
             for splice in spliced.value {
                 let mut lamellae = self.plan.lamellae.iter_mut();
                 let lamella = lamellae.find(|l| l.id == splice.lamella);
-                lamella.expect("a lamella").pieces = splice.pieces;
+                splice.put_into(lamella.expect("a lamella"));
             }
         }
         let blanks = fabrication::blanks(&self.plan.lamellae, &self.materials);

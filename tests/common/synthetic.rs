@@ -2,6 +2,7 @@
 //! in space. They have every record and every relation that fabrication reads, without the
 //! stages that compute them.
 
+use egg::fabrication::part::net_area;
 use egg::plan::{
     Cladding, CladdingFunction, CrossingRecord, Diagonals, EdgeRecord, Eta, LamellaRecord,
     MemberRecord, OpeningRecord, PatchCurvature, PatchRecord, Plan, PointRecord, Positions, Range,
@@ -371,7 +372,7 @@ fn lamella(plan: &Plan, member: &MemberRecord, section: &Section) -> LamellaReco
     };
     openings.sort_by(|a, b| place(a).total_cmp(&place(b)));
     let length = member.length_planar + 2.0 * section.width;
-    LamellaRecord {
+    let mut lamella = LamellaRecord {
         id: member.id.clone(),
         member: member.id.clone(),
         material: section.material.to_owned(),
@@ -379,10 +380,12 @@ fn lamella(plan: &Plan, member: &MemberRecord, section: &Section) -> LamellaReco
         end_margin: section.width,
         width: section.width,
         thickness: section.thickness,
-        mass: length * section.width * section.thickness * 450.0,
+        mass: 0.0,
         openings,
         pieces: Vec::new(),
-    }
+    };
+    lamella.mass = net_area(&lamella) * 1e-6 * section.thickness * 450.0;
+    lamella
 }
 
 fn patch_record(patch: &Patch, [ab, bc, cd, da]: [String; 4]) -> PatchRecord {

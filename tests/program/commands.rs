@@ -271,6 +271,46 @@ fn an_output_leads_back_to_the_lines_it_is_made_from() {
 }
 
 #[test]
+fn what_the_cache_has_from_elsewhere_is_not_said_to_be_made_again() {
+    let shop = with_junction();
+    shop.egg(&["build", "junction.toml"]).expect(0);
+    for name in ["junction.toml", "vault.obj"] {
+        let bytes = std::fs::read(shop.path(name)).expect("a file");
+        shop.write(&format!("elsewhere/{name}"), bytes);
+    }
+    let explain = ["explain", "elsewhere/junction.toml", "cladding south"];
+    let told = shop.egg(&explain).expect(0).out;
+    assert!(told.starts_with("cladding south is cached\n"), "{told}");
+    assert!(
+        told.contains("the next build takes it from the cache because"),
+        "{told}"
+    );
+}
+
+#[test]
+fn splitting_keeps_the_words_of_what_it_does_not_change() {
+    let shop = with_junction();
+    let text = read(JUNCTION);
+    let point = text.lines().find(|line| line.starts_with("e = [-300, "));
+    let (_, y) = point
+        .expect("a point")
+        .split_once(", ")
+        .expect("two numbers");
+    let said = format!("e = [\"-30 cm\", {y}");
+    shop.write(
+        "junction.toml",
+        text.replace(point.expect("a point"), &said),
+    );
+    let split = shop.egg(&["split", "junction.toml"]).expect(0);
+    assert!(split.out.contains(&format!("{said}\n")), "{}", split.out);
+    assert!(
+        split.err.contains("no patch has to be split"),
+        "{}",
+        split.err
+    );
+}
+
+#[test]
 fn a_part_of_the_graph_is_built_alone() {
     let shop = with_junction();
     let build = [

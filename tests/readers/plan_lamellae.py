@@ -81,5 +81,9 @@ def check(plan, project, materials_path, close):
             else:
                 assert opening["kind"] == "hole", label
                 close(label, opening["at"], at["surface"], 0)
+        # Ends are round; screws of plates go through all pieces.
+        cut += (1 - math.pi / 4) * width**2
+        for joint in (piece["joint"] for piece in lamella["pieces"]):
+            cut += len(joint["screws"]) * math.pi / 4 * joint["hole"] ** 2 if joint else 0
         mass = (whole * width - cut) * thickness * density[said["material"]]
         close(f"mass of {name}", lamella["mass"], mass, 0.51e-6)

@@ -9,6 +9,7 @@ mod program;
 mod boundaries;
 mod coupons;
 mod damage;
+mod layouts;
 mod projects;
 mod splices;
 mod windows;

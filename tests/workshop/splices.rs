@@ -3,9 +3,13 @@
 use crate::common::job::Job;
 use crate::common::{python, synthetic};
 use crate::{golden, readers};
+use egg::fabrication::drawing::{Layer, Shape};
 use egg::fabrication::nesting::Settings;
+use egg::fabrication::part::{Part, PartStyle};
+use egg::fabrication::parts;
 use egg::fabrication::pieces::{pieces, plates};
 use egg::fabrication::splicing::{Rules, Spliced, Stock, splice};
+use egg::fabrication::summary::Summary;
 use egg::plan::{OpeningRecord, Plan};
 use egg::project::model::SpliceKind;
 
@@ -153,11 +157,32 @@ fn equal_plans_give_equal_splices_and_short_lamellae_none() {
 fn a_lamella_that_cannot_be_divided_is_told_with_what_to_do() {
     let plan = synthetic::pavilion();
     let told = splice(&plan, &rules(SpliceKind::Plate, 0.12)).expect_err("no place");
-    assert!(told.iter().all(|d| d.code.as_str() == "E0720"));
-    let help = told[0].help.clone().unwrap_or_default();
+    let [told] = &told[..] else {
+        panic!("one cause is told once: {told:?}");
+    };
+    assert_eq!(told.code.as_str(), "E0720");
+    let notes = told.notes.join("\n  note: ");
+    let help = told.help.clone().unwrap_or_default();
     golden(
         "no-place-for-splice.txt",
-        &format!("{}\n  help: {help}", told[0].message),
+        &format!("{}\n  note: {notes}\n  help: {help}", told.message),
+    );
+    // Wider lamellae leave less between them, until nothing is left.
+    let note = |factor: f64| {
+        let mut plan = plan.clone();
+        for lamella in &mut plan.lamellae {
+            lamella.width *= factor;
+        }
+        let told = splice(&plan, &rules(SpliceKind::Plate, 0.9)).expect_err("no place");
+        told[0].notes[0].clone()
+    };
+    assert_eq!(
+        note(2.0),
+        "the widest stretch between its crossings is 43.9 mm long, a joint takes 75.6 mm"
+    );
+    assert_eq!(
+        note(3.0),
+        "its crossings leave no stretch free, a joint takes 75.6 mm"
     );
 }
 
@@ -194,6 +219,47 @@ fn joints_that_are_bent_too_far_or_stand_close_to_a_crossing_are_told() {
     assert_eq!(of(&scaled(0.5), &usual, "W0730"), None);
 }
 
+/// Area of what is left of a part when it is cut, square millimetres.
+fn cut_area(part: &Part) -> f64 {
+    let area = |shape: &Shape| match shape {
+        Shape::Path(path) => path.area(),
+        Shape::Circle { radius, .. } => std::f64::consts::PI * radius * radius,
+        Shape::Text(_) => 0.0,
+    };
+    let of = |layer: Layer| -> f64 {
+        let shapes = part.shapes.iter().filter(|entity| entity.layer == layer);
+        shapes.map(|entity| area(&entity.shape)).sum()
+    };
+    of(Layer::CutOuter) - of(Layer::CutInner)
+}
+
+#[test]
+fn the_summary_weighs_all_parts_that_are_cut_and_all_that_holds_them_as_the_bill_does() {
+    let job = Job::spliced(SpliceKind::Plate);
+    let style = PartStyle {
+        kerf: 0.0,
+        label_height: 0.004,
+        sticker_margin: 0.0,
+    };
+    let parts = parts(&job.plan, style).value;
+    assert!(parts.len() > job.plan.lamellae.len() + 10);
+    // Poplar of 3 mm.
+    let wood: f64 = parts.iter().map(|part| cut_area(part) * 1e-6).sum::<f64>() * 0.003 * 450.0;
+    let summary = Summary::new(&job.plan);
+    let summed = summary.lamella_mass + summary.plate_mass;
+    assert!((summed / wood - 1.0).abs() < 1e-9, "{summed} {wood}");
+    assert!(summary.plate_mass > 0.01 * summary.lamella_mass);
+
+    let rows = job.plan.bill_of_materials.iter();
+    let bought_whole = ["stock", "support", "consumable"];
+    let bill: f64 = rows
+        .filter(|row| !bought_whole.contains(&&*row.category))
+        .filter(|row| row.id != "tube" && row.id != "foil")
+        .map(|row| row.quantity * row.unit_mass.expect("all of this has a mass"))
+        .sum();
+    assert!((bill - summary.grid_mass()).abs() < 1e-9);
+}
+
 #[test]
 fn joints_are_in_the_bill_and_in_the_cut_list() {
     let count = |job: &Job| -> usize {
@@ -208,9 +274,9 @@ fn joints_are_in_the_bill_and_in_the_cut_list() {
     let finger = Job::spliced(SpliceKind::Finger);
     let glue = row(&finger, "glue-finger");
     assert!(glue.description.contains(&count(&finger).to_string()));
-    // Three flanks of 15 x 3 mm a joint.
-    let area = count(&finger) as f64 * 3.0 * 0.015 * 0.003;
-    assert!((glue.quantity - area).abs() < 1e-12);
+    // Three flanks of 1.5 x 0.3 cm a joint.
+    let area = count(&finger) as f64 * 3.0 * 1.5 * 0.3;
+    assert!((glue.quantity - area).abs() < 1e-9);
 
     let plate = Job::spliced(SpliceKind::Plate);
     let screws = 4 * count(&plate);
@@ -227,4 +293,49 @@ fn joints_are_in_the_bill_and_in_the_cut_list() {
     let text = String::from_utf8(list.bytes.clone()).expect("UTF-8");
     let plates = text.lines().filter(|line| line.contains(",plate,"));
     assert_eq!(plates.count(), count(&plate));
+}
+
+#[test]
+fn the_step_list_and_the_flat_layout_say_which_pieces_make_a_lamella() {
+    for kind in KINDS {
+        let job = Job::spliced(kind);
+        let text = |path: &str| {
+            let file = job.files().into_iter().find(|file| file.path == path);
+            String::from_utf8(file.expect("made").bytes).expect("UTF-8")
+        };
+        let steps = text("assembly.md");
+        let drawn = text("layout/west.svg");
+        let spliced = job.plan.lamellae.iter().filter(|l| !l.pieces.is_empty());
+        for lamella in spliced {
+            let row = steps
+                .lines()
+                .find(|line| line.starts_with(&format!("| {} | `{}a`", lamella.id, lamella.id)));
+            let row = row.unwrap_or_else(|| panic!("{kind:?}: no row for {}", lamella.id));
+            assert!(
+                lamella
+                    .pieces
+                    .iter()
+                    .all(|p| row.contains(&format!("`{}`", p.id)))
+            );
+            let has_all_plates = plates(lamella)
+                .iter()
+                .all(|plate| row.contains(&format!("`{}`", plate.id)));
+            assert!(has_all_plates, "{row}");
+            if kind == SpliceKind::Plate {
+                let screws = 4 * (lamella.pieces.len() - 1);
+                assert!(row.contains(&format!("| {screws} x M4x16 |")), "{row}");
+            }
+        }
+        assert!(drawn.contains("aria-label=\"a\"") && drawn.contains("aria-label=\"b\""));
+        // Wood is glued before it is coated, plates are bolted on when it is.
+        let at = |step: &str| steps.find(step);
+        match kind {
+            SpliceKind::Plate => assert!(at("Bolt the pieces together") > at("Sand and coat")),
+            _ => assert!(at("Glue the pieces") < at("Sand and coat")),
+        }
+    }
+    let whole = Job::pavilion().files();
+    let steps = whole.iter().find(|file| file.path == "assembly.md");
+    let steps = String::from_utf8_lossy(&steps.expect("made").bytes);
+    assert!(!steps.contains("pieces"), "{steps}");
 }

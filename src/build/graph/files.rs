@@ -10,7 +10,7 @@ use crate::build::stages::fabrication::{
 };
 use crate::build::{Files, Graph, Node};
 use crate::fabrication::coupon::{self, CouponSection};
-use crate::fabrication::{Grains, NamedQuad};
+use crate::fabrication::{NamedQuad, Woods};
 use crate::plan::Plan;
 use crate::project::model::Project;
 
@@ -97,11 +97,11 @@ pub(super) fn publish(
     }
     let input = TableInput {
         hardware: project.hardware.clone(),
-        grains: Grains::of(&project.materials),
+        woods: Woods::new(&project.materials),
     };
     let tables = graph.add(&TABLE_FILES, "", input, plan);
     graph.origin(tables, "hardware", "hardware");
-    graph.origin(tables, "grains", "materials");
+    graph.origin(tables, "woods", "materials");
     graph.publish(tables);
 }
 

@@ -11,7 +11,7 @@ use crate::fabrication::pieces::blanks;
 use crate::fabrication::splicing::{Rules, Spliced, splice};
 use crate::fabrication::supports::{self, SupportInputs};
 use crate::fabrication::{
-    self as outputs, Grains, NamedQuad, OutputFile, SheetSettings, Workshop, stickers,
+    self as outputs, Grains, NamedQuad, OutputFile, SheetSettings, Woods, Workshop, stickers,
 };
 use crate::plan::{BomRow, Plan, SheetRecord, StickerRecord, SupportRecord, bind, to_ron};
 use crate::project::model::{Bolt, ColourPreset, Hardware, Material, Sticker, Stock, Supports};
@@ -20,7 +20,7 @@ use serde::{Deserialize, Serialize};
 /// Pieces of lamellae that are longer than the stock.
 pub(in crate::build) const SPLICES: Stage<Rules, Vec<Node<Plan>>, Vec<Spliced>> = Stage {
     name: "splices",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |rules, chapters, _| outcome(splice(&bind("", chapters.into_iter()), rules)),
 };
@@ -28,13 +28,13 @@ pub(in crate::build) const SPLICES: Stage<Rules, Vec<Node<Plan>>, Vec<Spliced>> 
 /// The chapter of a patch with the pieces of its lamellae.
 pub(in crate::build) const SPLICED: Stage<(), (Node<Plan>, Node<Vec<Spliced>>), Plan> = Stage {
     name: "spliced",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |(), (chapter, splices), _| {
         let mut chapter = chapter.clone();
         for lamella in &mut chapter.lamellae {
             if let Some(found) = splices.iter().find(|s| s.lamella == lamella.id) {
-                lamella.pieces.clone_from(&found.pieces);
+                found.put_into(lamella);
             }
         }
         plain(chapter)
@@ -51,7 +51,7 @@ pub(in crate::build) struct NestInput {
 /// Sheets of all lamellae, once no workshop objects to one of them.
 pub(in crate::build) const NEST: Stage<NestInput, (Vec<Node<Plan>>, Vec<Node<()>>), Nest> = Stage {
     name: "nest",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (chapters, _), _| {
         let lamellae = chapters.iter().flat_map(|chapter| &chapter.lamellae);
@@ -74,7 +74,7 @@ pub(in crate::build) const STICKERS: Stage<
     Foils,
 > = Stage {
     name: "stickers",
-    version: 1,
+    version: 2,
     numerics: Numerics::Portable,
     run: |sticker, (chapters, _), _| {
         let Some(sticker) = sticker else {
@@ -112,7 +112,7 @@ type SupportNeeds = (Node<Plan>, Vec<Node<Plan>>, Vec<Node<()>>);
 pub(in crate::build) const SUPPORTS: Stage<SupportInput, SupportNeeds, Vec<SupportRecord>> =
     Stage {
         name: "supports",
-        version: 1,
+        version: 2,
         numerics: Numerics::Portable,
         run: |input, (skeleton, chapters, _), _| {
             let plan = bind("", std::iter::once(skeleton).chain(chapters));
@@ -147,7 +147,7 @@ type BillNeeds = (
 /// The bill of materials.
 pub(in crate::build) const BILL: Stage<BillInput, BillNeeds, Vec<BomRow>> = Stage {
     name: "bill",
-    version: 2,
+    version: 4,
     numerics: Numerics::Portable,
     run: |input, (chapters, nest, foils, supports), _| {
         let mut plan = bind("", chapters.into_iter());
@@ -180,7 +180,7 @@ pub(in crate::build) const PLAN_FILE: Stage<(), Node<Plan>, Files> = Stage {
 /// What a workshop would object to in the lamellae of a patch.
 pub(in crate::build) const WORKSHOP: Stage<Workshop, Node<Plan>, ()> = Stage {
     name: "workshop",
-    version: 3,
+    version: 4,
     numerics: Numerics::Portable,
     run: |workshop, chapter, _| outcome(outputs::check(chapter, workshop)),
 };
@@ -204,7 +204,7 @@ pub(in crate::build) struct LayoutInput {
 /// The flat layout of a patch.
 pub(in crate::build) const LAYOUT_FILES: Stage<LayoutInput, Node<Plan>, Files> = Stage {
     name: "layout-files",
-    version: 3,
+    version: 4,
     numerics: Numerics::Portable,
     run: |input, chapter, _| {
         let plan = bind(&input.name, std::iter::once(chapter));
@@ -257,7 +257,7 @@ pub(in crate::build) struct SheetInput {
 pub(in crate::build) const SHEET_FILES: Stage<SheetInput, (Vec<Node<Plan>>, Node<Nest>), Files> =
     Stage {
         name: "sheet-files",
-        version: 4,
+        version: 5,
         numerics: Numerics::Portable,
         run: |input, (chapters, nest), _| {
             let mut plan = bind(&input.name, chapters.into_iter());
@@ -311,7 +311,7 @@ pub(in crate::build) struct CouponInput {
 /// Test pieces for kerf and fit.
 pub(in crate::build) const COUPON_FILES: Stage<CouponInput, (), Files> = Stage {
     name: "coupon-files",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (), _| {
         let CouponInput {
@@ -334,7 +334,7 @@ pub(in crate::build) struct DrawingInput {
 /// Cut files of the sheets of foil.
 pub(in crate::build) const STICKER_FILES: Stage<DrawingInput, Node<Foils>, Files> = Stage {
     name: "sticker-files",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, foils, _| {
         let mut plan = bind(&input.name, std::iter::empty());
@@ -348,7 +348,7 @@ type SupportFilesNeeds = (Node<Plan>, Vec<Node<Plan>>, Node<Vec<SupportRecord>>)
 /// Solids, drawings and the ground plan of the supports.
 pub(in crate::build) const SUPPORT_FILES: Stage<DrawingInput, SupportFilesNeeds, Files> = Stage {
     name: "support-files",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |input, (skeleton, chapters, supports), _| {
         let mut plan = bind(&input.name, std::iter::once(skeleton).chain(chapters));
@@ -361,17 +361,17 @@ pub(in crate::build) const SUPPORT_FILES: Stage<DrawingInput, SupportFilesNeeds,
 #[derive(Debug, Serialize)]
 pub(in crate::build) struct TableInput {
     pub(in crate::build) hardware: Hardware,
-    pub(in crate::build) grains: Grains,
+    pub(in crate::build) woods: Woods,
 }
 
 /// The tables and the step list.
 pub(in crate::build) const TABLE_FILES: Stage<TableInput, Node<Plan>, Files> = Stage {
     name: "table-files",
-    version: 3,
+    version: 5,
     numerics: Numerics::Portable,
     run: |input, plan, _| {
-        let TableInput { hardware, grains } = input;
-        let mut made = outputs::table_files(plan, hardware, grains);
+        let TableInput { hardware, woods } = input;
+        let mut made = outputs::table_files(plan, hardware, woods);
         made.push(outputs::assembly_file(plan, hardware));
         files(Ok(Warned {
             value: made,

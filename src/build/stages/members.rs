@@ -257,7 +257,7 @@ type LamellaNeeds = (Node<Vec<Member>>, Node<Vec<Member>>, Node<Vec<Crossing>>);
 /// Lamellae of a patch, u-family first.
 pub(in crate::build) const LAMELLAE: Stage<Section, LamellaNeeds, Vec<Lamella>> = Stage {
     name: "lamellae",
-    version: 2,
+    version: 3,
     numerics: Numerics::Portable,
     run: |section, (u, v, crossings), _| {
         let lamellae: Vec<Lamella> = u

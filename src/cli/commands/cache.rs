@@ -2,12 +2,13 @@
 
 use crate::build::{CacheNames, Clock, Mode, Store, cache_directory};
 use crate::cli::args::{CacheCommand, Global};
+use crate::cli::commands::diff::is_memory;
 use crate::cli::config::{Config, limits};
 use crate::cli::console::{Console, out};
 use crate::cli::exit::Exit;
 use serde::Serialize;
 use std::fmt::Write;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 pub(in crate::cli) fn run(
     console: Console,
@@ -152,6 +153,10 @@ fn describe(status: &crate::build::Status) -> String {
         );
     }
     for worktree in &status.worktrees {
+        // Sides that `egg diff` compiled are no projects.
+        if is_memory(Path::new(&worktree.directory)) {
+            continue;
+        }
         let _ = writeln!(
             text,
             "  {} ({} stages, {})",

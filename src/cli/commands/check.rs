@@ -58,7 +58,7 @@ pub(in crate::cli) fn run(
             console.complain("the plan cannot be read back from the cache", None);
             return Ok(Exit::Usage);
         };
-        exit = lock::holds(console, job.opened.folder(), &plan);
+        exit = lock::holds(console, &job.opened, &plan);
     }
     if exit == Exit::Done {
         console.status("Checked", &project.name);

@@ -1,7 +1,7 @@
 //! `egg explain`: what a diagnostic code means, or why an output is as it is.
 
 use crate::build::graph::Extent;
-use crate::build::{Explanation, Reason};
+use crate::build::{Explanation, Reason, State};
 use crate::cli::args::Global;
 use crate::cli::console::{Console, out};
 use crate::cli::design::Opened;
@@ -73,10 +73,10 @@ fn explain_output(
 /// Causes first, then every line of the project file that it is made from.
 fn describe(explanation: &Explanation, opened: &Opened) -> String {
     let mut text = format!("{} is {}\n", explanation.instance, explanation.state.word());
-    let tense = if explanation.pending {
-        "it will be made again because"
-    } else {
-        "it last changed because"
+    let tense = match (explanation.pending, &explanation.state) {
+        (true, State::Cached) => "the next build takes it from the cache because",
+        (true, _) => "it will be made again because",
+        (false, _) => "it last changed because",
     };
     if !explanation.causes.is_empty() {
         let _ = writeln!(text, "\n{tense}");

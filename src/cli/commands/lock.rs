@@ -29,7 +29,7 @@ pub(in crate::cli) fn run(
     let Some(plan) = plan_of(&built).filter(|_| exit == Exit::Done) else {
         return Ok(exit);
     };
-    let path = job.opened.folder().join(LOCK);
+    let path = job.opened.beside(LOCK);
     let text = lock_text(&plan);
     let old = std::fs::read_to_string(&path).ok();
     if let Some(Ok(lock)) = old.as_deref().map(Lock::read)
@@ -53,9 +53,9 @@ pub(in crate::cli) fn run(
     Ok(Exit::Done)
 }
 
-/// Whether the lock in a folder is what a plan gives; if not, tells what differs.
-pub(in crate::cli) fn holds(console: Console, folder: &Path, plan: &Plan) -> Exit {
-    let path = folder.join(LOCK);
+/// Whether the lock of a project is what a plan gives; if not, tells what differs.
+pub(in crate::cli) fn holds(console: Console, opened: &Opened, plan: &Plan) -> Exit {
+    let path = opened.beside(LOCK);
     let shown = path.display().to_string();
     let text = match std::fs::read_to_string(&path) {
         Ok(text) => text,

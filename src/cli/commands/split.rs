@@ -7,8 +7,8 @@ use crate::cli::console::{Console, out};
 use crate::cli::design::Opened;
 use crate::cli::exit::Exit;
 use crate::cli::run::Job;
-use crate::project::model::{Lamella, Patch, Project, SupportPlaces, Workflow};
-use crate::project::{OwnLamella, layout_text};
+use crate::project::model::{Anchor, Patch, Project, SupportPlaces, Workflow};
+use crate::project::{OwnLamella, Writing, layout_text};
 use crate::splitting::Draft;
 use std::path::Path;
 
@@ -49,7 +49,15 @@ pub(in crate::cli) fn run(
             own_lamella(&job.opened, &part.origin, patch)
         })
         .collect();
-    out(&layout_text(&laid, &own, notation, lengths));
+    let writing = Writing {
+        notation,
+        lengths,
+        said: &|key| unchanged(&job.opened, project, &laid, key),
+    };
+    out(&layout_text(&laid, &own, writing));
+    if draft.patches.iter().all(|part| part.name == part.origin) {
+        console.status("Note", "no patch has to be split");
+    }
     for place in lost_supports(project, &draft) {
         console.status(
             "Note",
@@ -72,22 +80,39 @@ fn in_file_order(project: &Project, draft: &Draft) -> Project {
     laid_out(project, &draft)
 }
 
+/// The words of the file for a value that splitting left as it is: the place of a point, the angle of
+/// a patch.
+fn unchanged<'a>(
+    opened: &'a Opened,
+    project: &Project,
+    laid: &Project,
+    key: &[&str],
+) -> Option<&'a str> {
+    let is_same = match *key {
+        ["points", name] => {
+            let find = |of: &Project| of.points.iter().find(|p| p.name == name).cloned();
+            let place = find(project)?.anchor;
+            let has_lengths = matches!(place, Anchor::Above(_) | Anchor::Near(_));
+            has_lengths && Some(place) == find(laid).map(|point| point.anchor)
+        }
+        ["patches", name, "alpha"] => {
+            let find = |of: &Project| of.patches.iter().find(|p| p.name == name)?.alpha;
+            find(project) == find(laid)
+        }
+        _ => false,
+    };
+    is_same.then(|| opened.said(key.iter().copied()))?
+}
+
 /// What the file says of the lamellae of a patch, for a part of it.
 fn own_lamella(opened: &Opened, origin: &str, part: &Patch) -> Option<OwnLamella> {
-    if !opened.says(["lamella", origin]) {
-        return None;
-    }
-    let Lamella {
-        width,
-        thickness,
-        material,
-    } = part.lamella.clone();
-    let said = |key: &str| opened.says(["lamella", origin, key]);
+    opened.said(["lamella", origin])?;
+    let said = |key: &str| opened.said(["lamella", origin, key]).map(str::to_owned);
     Some(OwnLamella {
         patch: part.name.clone(),
-        width: said("width").then_some(width),
-        thickness: said("thickness").then_some(thickness),
-        material: said("material").then_some(material),
+        width: said("width"),
+        thickness: said("thickness"),
+        material: said("material"),
     })
 }
 

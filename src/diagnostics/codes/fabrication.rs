@@ -196,7 +196,8 @@ width of the lamella.",
 a half bolt diameters from every opening, plates also keep clear of crossing lamellae, and every \
 piece has to fit on a panel. Where crossings are so dense that no stretch between them takes a \
 joint, the lamella cannot be spliced.\n\nChoose a shorter joint (fingers are the shortest), fewer \
-members of the other family, or longer stock.",
+members of the other family, or longer stock; for plates also a planar angle (`alpha`) nearer to 90 \
+degrees or narrower lamellae: the flatter lamellae cross, the longer they lie on each other.",
     },
     CodeInfo {
         code: "E0730",

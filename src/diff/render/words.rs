@@ -405,7 +405,12 @@ pub(super) fn total(total: &Total) -> Option<[String; 4]> {
         (Some(value), "") => number(value, total.quantity),
         (Some(value), unit) => format!("{} {unit}", number(value, total.quantity)),
     };
-    let delta = total.after.unwrap_or(0.0) - total.before.unwrap_or(0.0);
+    // The difference of what is shown: nobody has to wonder about digits that are not.
+    let shown = |value: Option<f64>| {
+        let text = number(value.unwrap_or(0.0), total.quantity);
+        text.parse::<f64>().unwrap_or_default()
+    };
+    let delta = shown(total.after) - shown(total.before);
     let change = number(delta, total.quantity);
     if change == "0" {
         return None;
@@ -422,6 +427,22 @@ pub(super) fn total(total: &Total) -> Option<[String; 4]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_total_says_the_difference_of_the_numbers_that_it_shows_or_nothing() {
+        let of = |before, after| {
+            total(&Total {
+                what: "sheets used".to_owned(),
+                before: Some(before),
+                after: Some(after),
+                quantity: Quantity::Share,
+                unit: "%".to_owned(),
+            })
+        };
+        assert_eq!(of(24.64, 24.56), None);
+        let [_, before, after, delta] = of(24.64, 24.46).expect("it changed");
+        assert_eq!([&*before, &*after, &*delta], ["24.6 %", "24.5 %", "-0.1"]);
+    }
 
     #[test]
     fn ids_that_follow_each_other_are_a_range() {

@@ -9,10 +9,12 @@
 mod layer;
 mod path;
 mod text;
+mod tile;
 
 pub use layer::{Layer, Palette, Style};
 pub use path::{Arc, Closure, Path, QUARTER, Segment, Vertex};
-pub use text::{Anchor, Text};
+pub use text::{Anchor, Text, upright};
+pub use tile::Tile;
 
 /// A drawing at full size.
 #[derive(Debug, Clone, PartialEq)]

@@ -18,6 +18,19 @@ pub struct Text {
     pub anchor: Anchor,
 }
 
+/// The direction of reading for a text along a line in a direction, readable from below or from the
+/// right, and whether it is against the line.
+pub fn upright(angle: f64) -> (f64, bool) {
+    let quarter = core::f64::consts::FRAC_PI_2;
+    let is_turned = angle > quarter + 1e-9 || angle <= -quarter + 1e-9;
+    let turn = if is_turned {
+        core::f64::consts::PI
+    } else {
+        0.0
+    };
+    (angle + turn, is_turned)
+}
+
 /// Which point of the baseline a text is placed by.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {

@@ -1,11 +1,9 @@
 //! Why parts do not fit.
 
-use super::{Blank, Format, Settings};
+use super::{Blank, Format, Settings, formats, lays};
 use crate::diagnostics::Diagnostic;
 use crate::diagnostics::codes::fabrication as codes;
-
-/// So many of the parts that do not fit are named.
-const NAMED: usize = 6;
+use crate::fabrication::names::listed;
 
 /// Why a group does not fit on a format, if so.
 pub(super) fn misfit(
@@ -46,8 +44,8 @@ pub(super) fn misfit(
                 ),
             )
             .at_key(
-                "fabrication.stock",
-                "the width of a sheet, or of the bed where that is less, without margins",
+                limit(widest, settings).key(),
+                format!("leaves {:.1} mm of width, without margins", width * 1e3),
             )
             .about(&widest.id),
         );
@@ -64,21 +62,57 @@ pub(super) fn misfit(
         ),
     )
     .at_key(
-        "fabrication.stock",
-        "the length of a sheet, or of the bed where that is less, without margins",
+        limit(longest, settings).key(),
+        format!("leaves {:.1} mm of length, without margins", length * 1e3),
     )
-    .help("choose longer stock, or set `splice` in `[fabrication]`")
+    .help(match limit(longest, settings) {
+        Limit::Stock => "choose longer stock, or set `splice` in `[fabrication]`",
+        Limit::Bed => {
+            "set `pass_through = true` in `bed` if the machine takes panels that are pushed on, or \
+             `splice` in `[fabrication]`"
+        }
+    })
     .about(&longest.id);
     if !others.is_empty() {
-        let named = others.iter().take(NAMED);
-        let names: Vec<String> = named.map(|b| format!("`{}`", b.id)).collect();
-        let more = match others.len().saturating_sub(NAMED) {
-            0 => String::new(),
-            more => format!(" and {more} more"),
-        };
-        diagnostic = diagnostic.note(format!("too long as well: {}{more}", names.join(", ")));
+        let names = listed(others.iter().map(|blank| &*blank.id));
+        diagnostic = diagnostic.note(format!("too long as well: {names}"));
     }
     Some(diagnostic)
+}
+
+/// What ends the sheets that a part does not fit on.
+#[derive(Clone, Copy)]
+enum Limit {
+    Stock,
+    Bed,
+}
+
+impl Limit {
+    fn key(self) -> &'static str {
+        match self {
+            Self::Stock => "fabrication.stock",
+            Self::Bed => "fabrication.bed",
+        }
+    }
+}
+
+/// The bed, if the part fits on a panel that is not sawn.
+fn limit(blank: &Blank, settings: &Settings) -> Limit {
+    let panels = Settings {
+        bed: None,
+        ..settings.clone()
+    };
+    let fits = lays(blank.grain).iter().any(|lay| {
+        formats(&panels, *lay).iter().any(|format| {
+            let [length, width] = panels.usable(format);
+            blank.length <= length && blank.width <= width
+        })
+    });
+    if settings.bed.is_some() && fits {
+        Limit::Bed
+    } else {
+        Limit::Stock
+    }
 }
 
 pub(super) fn spacing_below_kerf(settings: &Settings) -> Diagnostic {

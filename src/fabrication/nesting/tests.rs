@@ -81,6 +81,18 @@ fn a_bed_without_passage_limits_the_length_of_parts() {
         errors[0].message,
         "lamella `w.u01` is too long: 2000.0 mm, where a sheet takes 1225.0 mm"
     );
+    let says =
+        |told: &Diagnostic, words: &str| told.help.as_ref().is_some_and(|h| h.contains(words));
+    let place = |told: &Diagnostic| format!("{:?}", told.labels);
+    assert!(says(&errors[0], "pass_through = true"), "{errors:?}");
+    assert!(place(&errors[0]).contains("fabrication.bed"), "{errors:?}");
+    // What no panel takes, no bed is to blame for.
+    let errors = nest(&[blank(1, 3.0, 0.03)], &settings).expect_err("three metres");
+    assert!(says(&errors[0], "longer stock"), "{errors:?}");
+    assert!(
+        place(&errors[0]).contains("fabrication.stock"),
+        "{errors:?}"
+    );
 }
 
 #[test]

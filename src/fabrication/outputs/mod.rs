@@ -23,7 +23,7 @@ use super::network::NamedQuad;
 use super::part::PartStyle;
 use super::sheet::{Parts, trim};
 use super::units::MM;
-use super::{coupon, dxf, pieces, svg};
+use super::{Woods, coupon, dxf, pieces, svg};
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Warned};
 use crate::plan::{LamellaRecord, Plan};
@@ -121,15 +121,10 @@ impl Grains {
         )
     }
 
-    /// That of a material, if it is known.
-    pub fn known(&self, material: &str) -> Option<Grain> {
-        let known = self.0.iter().find(|(name, _)| name == material);
-        known.map(|(_, grain)| *grain)
-    }
-
     /// That of a material. Those of a checked project are known; for others the usual case holds.
     pub fn grain(&self, material: &str) -> Grain {
-        self.known(material).unwrap_or(Grain::Along)
+        let known = self.0.iter().find(|(name, _)| name == material);
+        known.map_or(Grain::Along, |(_, grain)| *grain)
     }
 
     /// Materials with their grain.
@@ -176,7 +171,8 @@ pub fn outputs(plan: &Plan, inputs: Inputs<'_>) -> Checked<Vec<OutputFile>> {
     take(coupon_files(&sections, inputs.hardware, colours));
     take(sticker_files(plan, colours));
     take(support_files(plan, colours));
-    files.extend(table_files(plan, inputs.hardware, &settings.grains));
+    let woods = Woods::new(inputs.materials);
+    files.extend(table_files(plan, inputs.hardware, &woods));
     files.push(assembly_file(plan, inputs.hardware));
     if errors.is_empty() {
         warnings.extend(told);

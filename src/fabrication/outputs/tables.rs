@@ -1,6 +1,7 @@
 //! Tables and the step list.
 
-use super::{Grains, OutputFile};
+use super::OutputFile;
+use crate::fabrication::cut_list::{Woods, cut_list};
 use crate::fabrication::workbook::{self, Tab};
 use crate::fabrication::{assembly, stickers, supports, tables};
 use crate::plan::Plan;
@@ -15,11 +16,11 @@ pub fn assembly_file(plan: &Plan, hardware: &Hardware) -> OutputFile {
 }
 
 /// The tables, each as CSV, and all of them as a workbook.
-pub fn table_files(plan: &Plan, hardware: &Hardware, grains: &Grains) -> Vec<OutputFile> {
+pub fn table_files(plan: &Plan, hardware: &Hardware, woods: &Woods) -> Vec<OutputFile> {
     let mut made = vec![
         ("Summary", "summary", tables::summary(plan)),
         ("Shopping", "bom", tables::bom(&plan.bill_of_materials)),
-        ("Cut list", "cutlist", tables::cut_list(plan, grains)),
+        ("Cut list", "cutlist", cut_list(plan, woods)),
         ("Crossings", "crossings", tables::crossings(plan, hardware)),
     ];
     if !plan.stickers.is_empty() {

@@ -7,7 +7,7 @@
 //! costs
 //!
 //! - the square of the lamella's curvature there, and half that of its twist, both in shares of
-//!   the largest on the lamella ([`curve`]): bending stress grows with curvature;
+//!   the largest on the lamella ([`Curve`]): bending stress grows with curvature;
 //! - ten, and ten times the square of the share that is missing, if its middle is nearer to an
 //!   opening than twice the width or 30 mm;
 //! - nearness in space to the joints of other lamellae, up to one and a half cells of the grid:
@@ -17,19 +17,19 @@
 //! Lamellae are taken in the order of their ids, so equal plans give equal splices. Metres.
 
 mod breaks;
-mod curve;
 mod joint;
 pub mod shopping;
 
+use super::curve::Curve;
 use super::index::PlanIndex;
-use super::part::{contact_reach, opening_extent};
+use super::names::listed;
+use super::part::{contact_reach, net_area, opening_extent};
 use super::units::MM;
 use crate::diagnostics::codes::fabrication as codes;
 use crate::diagnostics::{Checked, Diagnostic, Warned};
 use crate::plan::{JointRecord, LamellaRecord, PieceRecord, Plan};
 use crate::project::model::SpliceKind;
 use breaks::{Limits, breaks};
-use curve::Curve;
 use joint::{Joint, JointSection};
 use nalgebra::Point3;
 use serde::{Deserialize, Serialize};
@@ -69,6 +69,15 @@ pub struct Spliced {
     pub pieces: Vec<PieceRecord>,
 }
 
+impl Spliced {
+    /// Gives a lamella its pieces; the holes for their screws take of its mass.
+    pub fn put_into(&self, lamella: &mut LamellaRecord) {
+        let whole = net_area(lamella);
+        lamella.pieces.clone_from(&self.pieces);
+        lamella.mass *= net_area(lamella) / whole;
+    }
+}
+
 /// Wood between a joint and an opening in bolt diameters, as between two openings.
 const WEB_IN_BOLTS: f64 = 1.5;
 /// Nearness to openings counts up to so many widths, and up to so many metres.
@@ -90,7 +99,7 @@ pub fn splice(plan: &Plan, rules: &Rules) -> Checked<Vec<Spliced>> {
     let index = PlanIndex::new(plan);
     let mut found: Vec<Spliced> = Vec::new();
     let mut joints: Vec<Point3<f64>> = Vec::new();
-    let (mut errors, mut close, mut bent) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut stuck, mut close, mut bent) = (Vec::new(), Vec::new(), Vec::new());
     for lamella in &plan.lamellae {
         let stock = rules.stock.iter().find(|s| s.material == lamella.material);
         let is_short = |s: &&Stock| s.longest > 0.0 && lamella.length > s.longest;
@@ -125,19 +134,23 @@ pub fn splice(plan: &Plan, rules: &Rules) -> Checked<Vec<Spliced>> {
                     pieces: pieces(lamella, &at, &joint),
                 });
             }
-            None => errors.push(impossible(lamella, &joint, stock.longest)),
+            None => stuck.push(Stuck {
+                lamella,
+                room: site.room(),
+                longest: stock.longest,
+                joint,
+            }),
         }
     }
-    if errors.is_empty() {
-        Ok(Warned {
+    match impossible(&stuck) {
+        Some(error) => Err(vec![error]),
+        None => Ok(Warned {
             value: found,
             warnings: near_crossings(close)
                 .into_iter()
                 .chain(overstressed(bent))
                 .collect(),
-        })
-    } else {
-        Err(errors)
+        }),
     }
 }
 
@@ -219,6 +232,18 @@ impl<'a> Site<'a> {
         self.curve.at(self.on_member(x))
     }
 
+    /// The widest stretch that takes joints, or would if they were shorter; metres.
+    fn room(&self) -> f64 {
+        let mut taken = self.forbidden.clone();
+        taken.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        let (mut widest, mut free_from) = (0.0, 0.0);
+        for [from, to] in taken {
+            widest = f64::max(widest, from - free_from);
+            free_from = f64::max(free_from, to);
+        }
+        f64::max(widest, self.lamella.length - free_from)
+    }
+
     /// Distance of the middle of a joint from the nearest opening.
     fn clear(&self, x: f64) -> f64 {
         let gap = |[from, to]: &[f64; 2]| (from - x).max(x - to);
@@ -273,6 +298,16 @@ impl<'a> Site<'a> {
     }
 }
 
+/// A lamella that cannot be divided.
+struct Stuck<'a> {
+    lamella: &'a LamellaRecord,
+    joint: Joint,
+    /// What there is between its crossings, metres.
+    room: f64,
+    /// Longest piece, metres.
+    longest: f64,
+}
+
 /// A joint that is bent further than it bears.
 struct Bent<'a> {
     lamella: &'a str,
@@ -322,13 +357,44 @@ fn letters(mut number: usize) -> String {
     }
 }
 
-fn impossible(lamella: &LamellaRecord, joint: &Joint, longest: f64) -> Diagnostic {
-    let (name, shorter) = match joint.kind {
-        SpliceKind::Finger => ("fingers", ""),
-        SpliceKind::Scarf => ("scarfs", "; fingers are shorter"),
-        SpliceKind::Plate => ("plates", "; fingers and scarfs are shorter"),
+/// The lamella with the least room for a joint, and which others cannot be divided either.
+fn impossible(stuck: &[Stuck<'_>]) -> Option<Diagnostic> {
+    let worst = stuck.iter().min_by(|a, b| a.room.total_cmp(&b.room))?;
+    let Stuck {
+        lamella,
+        joint,
+        room,
+        longest,
+    } = worst;
+    let (name, way_out) = match joint.kind {
+        SpliceKind::Finger => (
+            "fingers",
+            "fewer members across, thinner lamellae, a thinner bolt, or longer stock",
+        ),
+        SpliceKind::Scarf => (
+            "scarfs",
+            "`splice = \"finger\"` is shorter; fewer members across, thinner lamellae, a thinner \
+             bolt, or longer stock make room",
+        ),
+        SpliceKind::Plate => (
+            "plates",
+            "`splice = \"finger\"` and `\"scarf\"` are shorter; a planar angle (`alpha`) nearer \
+             to 90 degrees, narrower lamellae (`width`), a thinner bolt, fewer members across, or \
+             longer stock make room",
+        ),
     };
-    Diagnostic::error(
+    let length = joint.length * MM;
+    let why = if *room <= 0.0 {
+        format!("its crossings leave no stretch free, a joint takes {length:.1} mm")
+    } else if *room < joint.length {
+        format!(
+            "the widest stretch between its crossings is {:.1} mm long, a joint takes {length:.1} mm",
+            room * MM
+        )
+    } else {
+        "the stretches that take a joint are too far apart for such pieces".to_owned()
+    };
+    let mut diagnostic = Diagnostic::error(
         codes::NO_PLACE_FOR_SPLICE,
         format!(
             "lamella `{}` of {:.1} mm cannot be divided into pieces of at most {:.1} mm whose \
@@ -338,12 +404,15 @@ fn impossible(lamella: &LamellaRecord, joint: &Joint, longest: f64) -> Diagnosti
             longest * MM
         ),
     )
-    .at_key(
-        "fabrication.splice",
-        format!("{name} of {:.1} mm", joint.length * MM),
-    )
-    .help(format!("fewer members or longer stock make room{shorter}"))
-    .about(&lamella.id)
+    .at_key("fabrication.splice", format!("{name} of {length:.1} mm"))
+    .note(why);
+    let others: Vec<&str> = stuck.iter().map(|other| &*other.lamella.id).collect();
+    let others: Vec<&str> = others.into_iter().filter(|id| *id != lamella.id).collect();
+    if !others.is_empty() {
+        let names = listed(others.into_iter());
+        diagnostic = diagnostic.note(format!("cannot be divided either: {names}"));
+    }
+    Some(diagnostic.help(way_out).about(&lamella.id))
 }
 
 /// The worst of the joints that stand close to an opening, and how many do.

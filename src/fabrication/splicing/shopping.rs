@@ -2,20 +2,17 @@
 
 use crate::diagnostics::{Diagnostic, codes::fabrication as codes};
 use crate::fabrication::hardware::{self, Series};
-use crate::fabrication::sections;
+use crate::fabrication::pieces::plates;
+use crate::fabrication::sections::{self, Strip};
 use crate::fabrication::sheet::trim;
 use crate::fabrication::units::MM;
 use crate::plan::{BomRow, JointRecord, LamellaRecord, Plan};
-use crate::project::model::{Hardware, Material, SpliceKind};
+use crate::project::model::{Hardware, SpliceKind};
 use std::collections::BTreeMap;
 
 /// Rows of the bill for all joints of a plan, none for a plan without. Fails if no bolt of the
 /// series goes through lamella and plate.
-pub fn rows(
-    plan: &Plan,
-    hardware: &Hardware,
-    materials: &[Material],
-) -> Result<Vec<BomRow>, Vec<Diagnostic>> {
+pub fn rows(plan: &Plan, hardware: &Hardware) -> Result<Vec<BomRow>, Vec<Diagnostic>> {
     let joints: Vec<(&LamellaRecord, &JointRecord)> = plan
         .lamellae
         .iter()
@@ -35,10 +32,11 @@ pub fn rows(
     rows.extend(sections::rows(
         "plate",
         "plates over joints",
-        plated
-            .iter()
-            .map(|(lamella, joint)| (*lamella, joint.length)),
-        materials,
+        plan.lamellae.iter().flat_map(plates).map(|plate| Strip {
+            lamella: plate.lamella,
+            length: (plate.to - plate.from) / MM,
+            mass: plate.mass(),
+        }),
     ));
     if !plated.is_empty() {
         rows.extend(screws(&plated, hardware)?);
@@ -65,12 +63,17 @@ fn glue(kind: &str, count: usize, area: f64) -> BomRow {
         description: format!("wood glue, {count} {kind} joints"),
         material: String::new(),
         specification: "D3 or better (EN 204)".to_owned(),
-        quantity: area,
-        unit: "m2".to_owned(),
+        quantity: area * 1e4,
+        unit: "cm2".to_owned(),
         spare: 0.0,
         unit_mass: None,
         unit_cost: None,
     }
+}
+
+/// Length of the bolts through a lamella and a plate, metres; what is needed if none is so long.
+pub fn screw_length(series: &Series, lamella: &LamellaRecord) -> Result<f64, f64> {
+    series.bolt_length(2.0 * lamella.thickness)
 }
 
 /// Bolts through lamella and plate, each with a nut and two washers, as at crossings.
@@ -85,7 +88,7 @@ fn screws(
     // Lengths in micrometres, which compare exactly.
     let mut lengths: BTreeMap<u64, usize> = BTreeMap::new();
     for (lamella, joint) in joints {
-        let length = series.bolt_length(2.0 * lamella.thickness);
+        let length = screw_length(series, lamella);
         let length = length.map_err(|need| vec![too_short(lamella, need, &bolt.name)])?;
         *lengths.entry((length * 1e6) as u64).or_default() += joint.screws.len();
     }

@@ -79,10 +79,24 @@ pub(super) fn warnings(records: &[SupportRecord]) -> Vec<Diagnostic> {
                 "its contact face is {:.0} mm above the ground",
                 heavy.height * MM
             ))
+            .help(heavy_help(heavy.kind))
             .about(&heavy.at),
         );
     }
     told
+}
+
+/// What makes blocks lighter, or easier to move.
+fn heavy_help(kind: SupportKind) -> &'static str {
+    match kind {
+        SupportKind::WedgeOnBlock => {
+            "a smaller `height` in `[supports]` makes blocks lower; cast heavy ones where they stand"
+        }
+        _ => {
+            "a smaller `height` in `[supports]` makes blocks lower, `kind = \"wedge-on-block\"` has \
+             wood on top of them; cast heavy ones where they stand"
+        }
+    }
 }
 
 /// The lowest point of the members if it lies below the ground.

@@ -7,8 +7,9 @@
 //!
 //! The drawing is in millimetres at full size, seen from above, the base line level.
 
-use super::super::drawing::{Anchor, Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text};
-use super::super::sheet::trim;
+use super::super::drawing::{
+    Anchor, Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text, Tile, upright,
+};
 use super::super::stroke_font;
 use super::super::units::MM;
 use crate::plan::{Plan, SupportRecord};
@@ -153,12 +154,18 @@ pub fn draw(plan: &Plan) -> Option<Drawing> {
             Path::polyline(&points, Closure::Open),
         );
     }
-    distances(&mut drawing, &setting, letters);
-    let names = setting.name_height(letters);
+    let height = setting.name_height(letters);
+    let mut taken = Vec::new();
     for station in &setting.stations {
+        let name = name(&setting, station, letters, height);
+        let arrow = tip(station, letters);
+        taken.extend(arrow.map(|tip| Tile::along([station.at, tip], 0.7 * letters)));
+        taken.push(Tile::of_text(&name));
         draw_station(&mut drawing, station, letters);
-        draw_name(&mut drawing, &setting, station, letters, names);
+        drawing.draw(Layer::Halo, &station.support.id, name.clone());
+        drawing.draw(Layer::Label, &station.support.id, name);
     }
+    distances(&mut drawing, &setting, letters, &mut taken);
     let table_top = drawing.bounds().min[1] - 3.0 * letters;
     draw_table(&mut drawing, plan, &setting, table_top, letters);
     let all = drawing.bounds();
@@ -172,8 +179,15 @@ pub fn draw(plan: &Plan) -> Option<Drawing> {
     Some(drawing)
 }
 
-/// The base line, and the distances between neighbours.
-fn distances(drawing: &mut Drawing, setting: &SettingOut<'_>, letters: f64) {
+/// Where along its line a distance stands, and how far from it, in letter heights: the first of
+/// these where nothing else does.
+const SHARES: [f64; 7] = [0.5, 0.4, 0.6, 0.3, 0.7, 0.2, 0.8];
+const LIFTS: [f64; 4] = [0.4, -1.4, 1.0, -2.0];
+
+/// The base line, and the distances between neighbours, clear of names and arrows, and of feet where
+/// there is room.
+fn distances(drawing: &mut Drawing, setting: &SettingOut<'_>, letters: f64, taken: &mut Vec<Tile>) {
+    let feet: Vec<Tile> = setting.stations.iter().map(foot).collect();
     let base = setting.base.map(|i| &setting.stations[i]);
     let around = setting.around();
     let mut pairs: Vec<(Layer, [&Station<'_>; 2])> = Vec::new();
@@ -191,26 +205,54 @@ fn distances(drawing: &mut Drawing, setting: &SettingOut<'_>, letters: f64) {
         drawing.draw(layer, "", Path::polyline(&line, Closure::Open));
         let [dx, dy] = [b.at[0] - a.at[0], b.at[1] - a.at[1]];
         let length = libm::hypot(dx, dy);
-        let mut angle = libm::atan2(dy, dx);
-        // Readable from below or from the right.
-        let quarter = core::f64::consts::FRAC_PI_2;
-        if angle > quarter + 1e-9 || angle <= -quarter + 1e-9 {
-            angle += core::f64::consts::PI;
-        }
+        let (angle, _) = upright(libm::atan2(dy, dx));
         let (sin, cos) = libm::sincos(angle);
-        let lift = 0.4 * letters;
-        let at = [
-            0.5 * (a.at[0] + b.at[0]) - lift * sin,
-            0.5 * (a.at[1] + b.at[1]) + lift * cos,
-        ];
         let size = letters.min(0.6 * length / stroke_font::width("00000"));
-        let words = format!("{length:.0}");
-        let text = Text::new(words, at, size)
-            .anchored(Anchor::Middle)
-            .turned(angle);
+        let text = |[share, lift]: [f64; 2]| {
+            let lift = lift * size;
+            let at = [
+                a.at[0] + share * dx - lift * sin,
+                a.at[1] + share * dy + lift * cos,
+            ];
+            Text::new(format!("{length:.0}"), at, size)
+                .anchored(Anchor::Middle)
+                .turned(angle)
+        };
+        let mut places = LIFTS
+            .into_iter()
+            .flat_map(|lift| SHARES.into_iter().map(move |share| [share, lift]));
+        let is_clear = |of: &[Tile], place: [f64; 2]| {
+            let tile = Tile::of_text(&text(place));
+            !of.iter().any(|other| other.overlaps(&tile))
+        };
+        let place = places
+            .clone()
+            .find(|place| is_clear(&feet, *place) && is_clear(taken, *place))
+            .or_else(|| places.find(|place| is_clear(taken, *place)))
+            .unwrap_or([SHARES[0], LIFTS[0]]);
+        let text = text(place);
+        taken.push(Tile::of_text(&text));
         drawing.draw(Layer::Halo, "", text.clone());
         drawing.draw(Layer::Label, "", text);
     }
+}
+
+/// Where the arrow of a support ends; level ones have none.
+fn tip(station: &Station<'_>, letters: f64) -> Option<[f64; 2]> {
+    let (sin, cos) = libm::sincos(station.falls.to_radians());
+    let [x, y] = station.at;
+    let reach = 2.6 * letters;
+    (station.support.tilt > 0.05).then_some([x + reach * cos, y + reach * sin])
+}
+
+/// Where the foot of a support stands.
+fn foot(station: &Station<'_>) -> Tile {
+    let foot = station.support.body.map_or(0.0, |body| body.foot * MM);
+    let (sin, cos) = libm::sincos(station.falls.to_radians());
+    let [x, y] = station.at;
+    let half = 0.5 * foot;
+    let ends = [-half, half].map(|r| [x + r * cos, y + r * sin]);
+    Tile::along(ends, foot)
 }
 
 fn draw_station(drawing: &mut Drawing, station: &Station<'_>, letters: f64) {
@@ -241,9 +283,7 @@ fn draw_station(drawing: &mut Drawing, station: &Station<'_>, letters: f64) {
             Path::polyline(&line, Closure::Open),
         );
     }
-    if support.tilt > 0.05 {
-        let reach = 2.6 * letters;
-        let tip = [x + reach * cos, y + reach * sin];
+    if let Some(tip) = tip(station, letters) {
         let barb = |side: f64| {
             let back = [-0.7 * letters, side * 0.35 * letters];
             [
@@ -262,13 +302,7 @@ fn draw_station(drawing: &mut Drawing, station: &Station<'_>, letters: f64) {
 }
 
 /// The name outside, away from the lines, readable from below or from the right.
-fn draw_name(
-    drawing: &mut Drawing,
-    setting: &SettingOut<'_>,
-    station: &Station<'_>,
-    letters: f64,
-    height: f64,
-) {
+fn name(setting: &SettingOut<'_>, station: &Station<'_>, letters: f64, height: f64) -> Text {
     let support = station.support;
     let middle = setting.middle();
     let mut ray = [station.at[0] - middle[0], station.at[1] - middle[1]];
@@ -280,12 +314,11 @@ fn draw_name(
     };
     let foot = support.body.map_or(0.0, |body| 0.75 * body.foot * MM);
     let away = foot.max(3.0 * letters) + 0.6 * letters;
-    let angle = libm::atan2(ray[1], ray[0]);
-    let quarter = core::f64::consts::FRAC_PI_2;
-    let (angle, anchor) = if angle > quarter + 1e-9 || angle <= -quarter + 1e-9 {
-        (angle + core::f64::consts::PI, Anchor::End)
+    let (angle, is_turned) = upright(libm::atan2(ray[1], ray[0]));
+    let anchor = if is_turned {
+        Anchor::End
     } else {
-        (angle, Anchor::Start)
+        Anchor::Start
     };
     let (sin, cos) = libm::sincos(angle);
     let drop = 0.5 * height;
@@ -293,11 +326,9 @@ fn draw_name(
         station.at[0] + away * ray[0] + drop * sin,
         station.at[1] + away * ray[1] - drop * cos,
     ];
-    let text = Text::new(short_name(support), at, height)
+    Text::new(short_name(support), at, height)
         .anchored(anchor)
-        .turned(angle);
-    drawing.draw(Layer::Halo, &support.id, text.clone());
-    drawing.draw(Layer::Label, &support.id, text);
+        .turned(angle)
 }
 
 /// Title, table and how to read it.
@@ -392,7 +423,7 @@ fn row(station: &Station<'_>) -> [String; 8] {
         whole(station.at[1]),
         whole(station.tapes[0]),
         whole(station.tapes[1]),
-        trim(libm::round(support.height * MM * 10.0) / 10.0),
+        format!("{:.1}", support.height * MM),
         format!("{:.1}", support.tilt),
         falls,
     ]

@@ -28,7 +28,7 @@ pub struct LamellaRecord {
     /// Metres.
     #[serde(serialize_with = "round::metres")]
     pub thickness: f64,
-    /// Kilograms, openings subtracted.
+    /// Kilograms, round ends, openings and holes for screws subtracted; of all pieces together.
     #[serde(serialize_with = "round::kilograms")]
     pub mass: f64,
     /// Sorted along the lamella.

@@ -11,7 +11,7 @@ use serde::{Deserialize, Serialize};
 pub struct BomRow {
     /// Stable key: `bolt-m4x16`.
     pub id: String,
-    /// `stock`, `fastener`, `sleeve`, `friction`, `support`, `consumable`.
+    /// `stock`, `lamella`, `plate`, `fastener`, `sleeve`, `friction`, `support`, `consumable`.
     pub category: String,
     /// What it is.
     pub description: String,
@@ -22,7 +22,7 @@ pub struct BomRow {
     /// How many are used.
     #[serde(serialize_with = "round::quantity")]
     pub quantity: f64,
-    /// `pcs`, `m`, `m2`, `kg`.
+    /// `pcs`, `m`, `m2`, `cm2`, `kg`.
     pub unit: String,
     /// How many more to buy.
     #[serde(serialize_with = "round::quantity")]

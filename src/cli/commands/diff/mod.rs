@@ -15,7 +15,7 @@ use crate::diff::{
 use sides::{Held, Loaded, Sides};
 use std::path::Path;
 
-pub(in crate::cli) use sides::{LOCK, bad_lock, bad_plan};
+pub(in crate::cli) use sides::{LOCK, bad_lock, bad_plan, is_memory};
 
 /// Compares two sides and writes the difference.
 pub(in crate::cli) fn run(

@@ -252,11 +252,21 @@ fn compile(mut job: Job) -> Result<Option<Arc<Plan>>, Exit> {
     Ok(plan.filter(|_| Job::verdict(&built) == Exit::Done))
 }
 
+/// In the names of [`memory`].
+const MEMORY: &str = ".diff-";
+
+/// Whether a directory that the cache knows is a side that was compiled to be compared.
+pub(in crate::cli) fn is_memory(directory: &Path) -> bool {
+    let slot = file_name(directory);
+    let slot = slot.rsplit_once(MEMORY).map(|(_, slot)| slot);
+    matches!(slot, Some("before" | "after"))
+}
+
 /// What the cache calls a side that is compiled to be compared: it keeps one of each per output
 /// directory, so that the next comparison finds them at once.
 fn memory(output: &Path, slot: &str) -> PathBuf {
     let name = file_name(output);
-    output.with_file_name(format!("{name}.diff-{slot}"))
+    output.with_file_name(format!("{name}{MEMORY}{slot}"))
 }
 
 /// Compares with what is left of a side that does not compile.

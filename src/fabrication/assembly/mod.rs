@@ -1,18 +1,22 @@
 //! The step list: from sheets to the standing structure, in the order of the paper's showcase
 //! (section 6.1): cut, coat, stickers, assemble flat, set out and cast the supports, bend and fix
-//! to two supports, expand, fix the rest.
+//! to two supports, expand, fix the rest. Lamellae in pieces become whole before: those that are
+//! glued before the coat, those with plates after it.
 //!
 //! Markdown, with the ids, files and measures of this structure in it, so that the people on the
 //! site need nothing else.
 
-use super::index::PlanIndex;
-use super::names::distinct_file_names;
-use super::setting::first_two;
-use super::sheet::trim;
-use super::summary::Summary;
-use super::supports::setting_out::SettingOut;
-use super::units::MM;
-use crate::plan::{Face, MemberRecord, PatchRecord, Plan, StickerRecord};
+mod splices;
+
+use crate::fabrication::index::PlanIndex;
+use crate::fabrication::names::distinct_file_names;
+use crate::fabrication::part::short_id;
+use crate::fabrication::setting::first_two;
+use crate::fabrication::sheet::trim;
+use crate::fabrication::summary::Summary;
+use crate::fabrication::supports::setting_out::SettingOut;
+use crate::fabrication::units::MM;
+use crate::plan::{Face, LamellaRecord, MemberRecord, PatchRecord, Plan, StickerRecord};
 use crate::project::model::{Family, Hardware, SupportKind};
 use std::fmt::Write as _;
 
@@ -23,11 +27,13 @@ pub fn steps(plan: &Plan, hardware: &Hardware) -> Vec<u8> {
     page.line("");
     overview(&mut page, plan);
     cut(&mut page, plan);
+    splices::glue(&mut page, plan);
     coat(&mut page, plan);
     if !plan.stickers.is_empty() {
         stickers(&mut page, plan);
     }
     sort_hardware(&mut page, plan);
+    splices::bolt(&mut page, plan, hardware);
     let files = distinct_file_names(plan.patches.iter().map(|patch| patch.id.as_str()));
     for (patch, file) in plan.patches.iter().zip(files) {
         assemble(&mut page, plan, patch, &file, hardware);
@@ -191,7 +197,7 @@ fn assemble(page: &mut Page, plan: &Plan, patch: &PatchRecord, file: &str, hardw
     let names = |family| {
         let names: Vec<String> = members(family)
             .iter()
-            .map(|m| format!("`{}`", super::part::short_id(&m.id, &patch.id)))
+            .map(|m| format!("`{}`", short_id(&m.id, &patch.id)))
             .collect();
         names.join(" ")
     };
@@ -199,8 +205,17 @@ fn assemble(page: &mut Page, plan: &Plan, patch: &PatchRecord, file: &str, hardw
         Some(_) => ", shells on the bolts that stand in notches",
         None => "",
     };
+    let here = |lamella: &&LamellaRecord| {
+        let member = index.member(&lamella.member);
+        member.is_some_and(|member| member.patch == patch.id) && !lamella.pieces.is_empty()
+    };
+    let joints = if plan.lamellae.iter().any(|lamella| here(&lamella)) {
+        " It shows joints, with the letters of the pieces on both sides."
+    } else {
+        ""
+    };
     page.line(&format!(
-        "The drawing is `layout/{file}.svg`. Top faces up, arrows as drawn."
+        "The drawing is `layout/{file}.svg`. Top faces up, arrows as drawn.{joints}"
     ));
     page.line("");
     page.line(&format!("- Lower layer, first: {}", names(Family::V)));
@@ -215,7 +230,7 @@ fn assemble(page: &mut Page, plan: &Plan, patch: &PatchRecord, file: &str, hardw
         plan.crossings
             .iter()
             .filter(|c| index.member(&c.u).is_some_and(|m| m.patch == patch.id))
-            .filter(|c| super::nodes::slides(c, &index))
+            .filter(|c| crate::fabrication::nodes::slides(c, &index))
             .count(),
     ));
     let [a, b, c, d] = &patch.corners;

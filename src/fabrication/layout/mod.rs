@@ -1,21 +1,21 @@
 //! The flat layout of a patch: its lamellae at true size where they lie when the grid is bolted
 //! together flat, seen from the top, the u-family above the v-family.
 //!
-//! It is the drawing to assemble by: every lamella with its id at both ends, its openings, and
-//! the bolts where they stand in the flat state. Frame: the patch's planar frame in millimetres,
+//! It is the drawing to assemble by: every lamella with its id at both ends, its openings, its
+//! joints with the letters of their pieces, and the bolts where they stand in the flat state. Frame: the patch's planar frame in millimetres,
 //! moved into the first quadrant.
 
-use super::drawing::{Anchor, Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text};
-use super::outline;
-use super::part::{opening_shape, short_id};
-use super::sheet::trim;
-use super::stroke_font;
-use super::units::MM;
+mod ids;
+mod joints;
+
+use crate::fabrication::drawing::{Bounds, Closure, Drawing, Layer, Palette, Path, Shape, Text};
+use crate::fabrication::outline;
+use crate::fabrication::part::{opening_shape, short_id};
+use crate::fabrication::sheet::trim;
+use crate::fabrication::stroke_font;
+use crate::fabrication::units::{MM, round_length};
 use crate::plan::{CrossingRecord, LamellaRecord, MemberRecord, PatchRecord};
 use crate::project::model::Family;
-
-/// Corners below this angle have no room for two ids side by side, radians.
-const SHARP: f64 = 0.7;
 
 /// A patch with everything that lies flat.
 #[derive(Debug, Clone, PartialEq)]
@@ -63,6 +63,11 @@ impl Line {
         [self.start[0] + c * x - s * y, self.start[1] + s * x + c * y]
     }
 
+    /// A place on a lamella: along it from its end, across it from its right edge.
+    fn on_lamella(&self, lamella: &LamellaRecord, [x, y]: [f64; 2]) -> [f64; 2] {
+        self.at([x - lamella.end_margin * MM, y - 0.5 * lamella.width * MM])
+    }
+
     fn angle(&self) -> f64 {
         libm::atan2(self.direction[1], self.direction[0])
     }
@@ -80,8 +85,8 @@ pub fn draw(flat: &FlatPatch<'_>) -> Drawing {
     drawing.pen = extent / 500.0;
     for &(member, lamella) in &flat.lamellae {
         draw_lamella(&mut drawing, member, lamella);
-        draw_ids(&mut drawing, flat, member, lamella, height);
     }
+    ids::draw(&mut drawing, flat, height);
     for crossing in &flat.crossings {
         let centre = crossing.planar.map(|v| v * MM);
         let radius = 0.5 * flat.bolt * MM;
@@ -93,21 +98,13 @@ pub fn draw(flat: &FlatPatch<'_>) -> Drawing {
 
 fn draw_lamella(drawing: &mut Drawing, member: &MemberRecord, lamella: &LamellaRecord) {
     let line = Line::new(member);
-    let margin = lamella.end_margin * MM;
-    let half = 0.5 * lamella.width * MM;
-    let lay = |[x, y]: [f64; 2]| line.at([x - margin, y - half]);
+    let lay = |at| line.on_lamella(lamella, at);
     let (strip, opening) = match member.family {
         Family::U => (Layer::LamellaU, Layer::OpeningU),
         Family::V => (Layer::LamellaV, Layer::OpeningV),
     };
     drawing.draw(strip, &lamella.id, outline::whole(lamella, 0.0).mapped(lay));
-    for piece in &lamella.pieces {
-        if piece.joint.is_some() {
-            let x = piece.to * MM;
-            let seam = [lay([x, 0.0]), lay([x, 2.0 * half])];
-            drawing.draw(strip, &piece.id, Path::polyline(&seam, Closure::Open));
-        }
-    }
+    joints::draw(drawing, strip, lamella, &line);
     for record in &lamella.openings {
         let shape = match opening_shape(lamella, record, 0.0) {
             Shape::Path(path) => Shape::Path(path.mapped(lay)),
@@ -119,62 +116,6 @@ fn draw_lamella(drawing: &mut Drawing, member: &MemberRecord, lamella: &LamellaR
         };
         drawing.draw(opening, &lamella.id, shape);
     }
-}
-
-/// The id beyond both tips, readable from below or from the right.
-fn draw_ids(
-    drawing: &mut Drawing,
-    flat: &FlatPatch<'_>,
-    member: &MemberRecord,
-    lamella: &LamellaRecord,
-    height: f64,
-) {
-    let line = Line::new(member);
-    let reach = lamella.end_margin * MM + 0.8 * height;
-    let angle = line.angle();
-    let quarter = core::f64::consts::FRAC_PI_2;
-    let upright = angle > -quarter + 1e-9 && angle <= quarter + 1e-9;
-    let (angle, side, before, after) = if upright {
-        (angle, -0.5 * height, Anchor::End, Anchor::Start)
-    } else {
-        let turned = angle + core::f64::consts::PI;
-        (turned, 0.5 * height, Anchor::Start, Anchor::End)
-    };
-    let name = short_id(&lamella.id, &flat.patch.id);
-    for (end, anchor) in [(0.0, before), (line.length, after)] {
-        let outwards = if end == 0.0 { -1.0 } else { 1.0 };
-        // In a sharp corner both boundary lamellae end side by side: one id goes behind the other.
-        let behind = if member.family == Family::V && shares_tip(flat, line.at([end, 0.0]), reach) {
-            (stroke_font::width(&name) + 0.6) * height
-        } else {
-            0.0
-        };
-        let x = end + outwards * (reach + behind);
-        let text = Text::new(&name, line.at([x, side]), height);
-        drawing.draw(
-            Layer::Label,
-            &lamella.id,
-            text.anchored(anchor).turned(angle),
-        );
-    }
-}
-
-/// Whether a lamella of the u-family ends at a point and runs on from there in nearly the same
-/// direction as the tip: its id would stand in the same place.
-fn shares_tip(flat: &FlatPatch<'_>, tip: [f64; 2], reach: f64) -> bool {
-    let distance = |p: [f64; 2]| libm::hypot(p[0] - tip[0], p[1] - tip[1]);
-    let sharp = |corner: usize| {
-        let corners = flat.patch.planar_corners.map(|point| point.map(|v| v * MM));
-        let to = |k: usize| {
-            let p = corners[(corner + k) % 4];
-            [p[0] - corners[corner][0], p[1] - corners[corner][1]]
-        };
-        let (a, b) = (to(1), to(3));
-        let cross = a[0] * b[1] - a[1] * b[0];
-        let turn = libm::atan2(cross, a[0] * b[0] + a[1] * b[1]);
-        distance(corners[corner]) < 0.5 * reach && turn.abs() < SHARP
-    };
-    (0..4).any(sharp)
 }
 
 /// Letters as large as neighbouring ends leave room for.
@@ -234,7 +175,7 @@ fn frame(drawing: &mut Drawing, flat: &FlatPatch<'_>, extent: f64) {
     let [width, height] = bounds.size();
     drawing.size = [width + 2.0 * border, height + 2.0 * border + band];
 
-    let bar = super::units::round_length(extent / 5.0);
+    let bar = round_length(extent / 5.0);
     let letters = extent / 70.0;
     let y = border + 5.0 * letters;
     for line in [

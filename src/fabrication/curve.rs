@@ -74,6 +74,13 @@ impl Curve {
         (middle - self.at(s - h)).angle(&(self.at(s + h) - middle)) / h
     }
 
+    /// Largest curvature on a stretch, 1/m, by chords of length `h`.
+    pub(super) fn sharpest(&self, [from, to]: [f64; 2], h: f64) -> f64 {
+        let steps = libm::ceil((to - from) / (0.5 * h).max(1e-3)).clamp(1.0, 1e4) as u32;
+        let at = |i: u32| from + (to - from) * f64::from(i) / f64::from(steps);
+        (0..=steps).map(|i| self.bend(at(i), h)).fold(0.0, f64::max)
+    }
+
     /// Twist around a place, rad/m: how the normals of the crossings before and after it turn
     /// about the member.
     pub(super) fn twist(&self, s: f64) -> f64 {
@@ -150,6 +157,7 @@ mod tests {
                 curve.bend(s, 0.05)
             );
         }
+        assert!((curve.sharpest([-0.1, 1.6], 0.05) - 0.5).abs() < 2e-2);
         assert_eq!(curve.at(-1.0), curve.at(0.0));
         assert_eq!(curve.at(9.0), curve.at(1.5));
     }
