@@ -18,7 +18,7 @@ use serde::Serialize;
 /// The distance map of a family.
 pub(in crate::build) const DISTANCES: Stage<Family, Node<Domain>, DistanceTable> = Stage {
     name: "distances",
-    version: 4,
+    version: 5,
     numerics: Numerics::Portable,
     run: |family, domain, _| {
         let (table, unproved) =

@@ -53,7 +53,7 @@ pub(in crate::build) const LINE: Stage<
     Side,
 > = Stage {
     name: "line",
-    version: 4,
+    version: 5,
     numerics: Numerics::Portable,
     run: |(), (surface, from, to), _| {
         let mesh = &surface.mesh;

@@ -102,7 +102,7 @@ type StripNeeds = (Vec<Node<Domain>>, Vec<Node<Clad>>, Node<Schedule>);
 /// Exact members of all families of a strip.
 pub(in crate::build) const STRIP: Stage<StripInput, StripNeeds, Woven> = Stage {
     name: "strip",
-    version: 6,
+    version: 7,
     numerics: Numerics::Portable,
     run: |input, (domains, clads, schedule), _| {
         let grounds: Vec<Ground<'_>> = input
