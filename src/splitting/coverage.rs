@@ -26,6 +26,10 @@ const COVERED: f64 = 0.5 * 0.0015;
 /// opposite places: of ways that pass beside the peak, straight ones are looked for first.
 const LEAN: f64 = 0.05;
 
+/// Costs that differ by less are equal, as on both sides of an axis of symmetry: the first counts,
+/// whatever rounding says.
+const TIE: f64 = 1e-9;
+
 /// How a family covers a peak.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Coverage {
@@ -57,15 +61,12 @@ pub fn coverage(
             .collect()
     };
     let sides = families.map(|f| (feet(domain.start(f)), feet(domain.end(f))));
-    let all: Vec<SurfacePoint> = sides
-        .iter()
-        .flat_map(|(start, end)| start.iter().chain(end))
-        .copied()
-        .collect();
-    let from_peak = geodesics.field(peak, Reach::Targets(&all))?;
     let mut covers = Vec::with_capacity(2);
     for ((start, end), table) in sides.iter().zip(tables) {
-        let to = [distances(&from_peak, start)?, distances(&from_peak, end)?];
+        let to = [
+            distances(geodesics, peak, start)?,
+            distances(geodesics, peak, end)?,
+        ];
         let pairs = || {
             (0..FEET)
                 .flat_map(|i| (0..FEET).map(move |j| (i, j)))
@@ -77,15 +78,13 @@ pub fn coverage(
             let direct = table.distance_squared(share(i), share(j)).0.sqrt();
             (i, j, (to[0][i] + to[1][j]) / direct)
         }));
-        let row = geodesics.field(&start[led.0], Reach::Targets(end))?;
-        let row = distances(&row, end)?;
+        let row = distances(geodesics, &start[led.0], end)?;
         let in_row: Vec<Pair> = pairs()
             .filter(|&(i, _)| i == led.0)
             .map(|(i, j)| (i, j, (to[0][i] + to[1][j]) / row[j]))
             .collect();
         let last = straightest(in_row.iter().copied()).1;
-        let column = geodesics.field(&end[last], Reach::Targets(start))?;
-        let column = distances(&column, start)?;
+        let column = distances(geodesics, &end[last], start)?;
         let in_column: Vec<Pair> = pairs()
             .filter(|&(_, j)| j == last)
             .map(|(i, j)| (i, j, (to[0][i] + to[1][j]) / column[i]))
@@ -127,7 +126,7 @@ fn straightest(pairs: impl Iterator<Item = Pair>) -> Pair {
     };
     pairs
         .reduce(|least, next| {
-            if cost(&next) < cost(&least) {
+            if cost(&next) < cost(&least) - TIE {
                 next
             } else {
                 least
@@ -140,9 +139,19 @@ fn share(i: usize) -> f64 {
     i as f64 / (FEET - 1) as f64
 }
 
+/// Distances from a point to places along a side.
 fn distances(
-    field: &crate::geodesic::Field<'_>,
-    points: &[SurfacePoint],
+    geodesics: &Geodesics<'_>,
+    from: &SurfacePoint,
+    side: &[SurfacePoint],
 ) -> Result<Vec<f64>, GeodesicError> {
-    points.iter().map(|point| field.distance(point)).collect()
+    match geodesics.table(std::slice::from_ref(from), side) {
+        Ok(table) => Ok((0..side.len()).map(|i| table.pair(0, i).length).collect()),
+        // A field knows how far it is from a point to itself.
+        Err(GeodesicError::Coincident { .. }) => {
+            let field = geodesics.field(from, Reach::Targets(side))?;
+            side.iter().map(|point| field.distance(point)).collect()
+        }
+        Err(error) => Err(error),
+    }
 }

@@ -148,7 +148,7 @@ pub(in crate::build) struct FeasibilityInput {
 /// Curvature, coverage of peaks and diagonals of a patch.
 pub(in crate::build) const FEASIBILITY: Stage<FeasibilityInput, Measured, Feasibility> = Stage {
     name: "feasibility",
-    version: 3,
+    version: 4,
     numerics: Numerics::Portable,
     run: |input, (surface, curvature, domain, u, v), _| {
         let maps = Maps {

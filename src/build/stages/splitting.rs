@@ -22,7 +22,7 @@ pub(in crate::build) struct SplitInput {
 pub(in crate::build) const SPLIT: Stage<SplitInput, (Node<SurfaceMesh>, Node<Curvature>), Draft> =
     Stage {
         name: "split",
-        version: 4,
+        version: 5,
         numerics: Numerics::Portable,
         run: |input, (surface, curvature), context| {
             let SplitInput { draft, limits } = input;
