@@ -6,9 +6,12 @@ use crate::layout::{Domain, Proof, Side};
 use crate::project::model::Family;
 use crate::surface::SurfacePoint;
 
-/// Samples a side. Splines through squared distances at these err by 2e-5 of the side length on
-/// a tall dome (method notes, section 2), below the noise that triangulation puts on a distance;
-/// final members are solved on exact distances.
+/// Samples a side. On smooth maps splines through squared distances at these are as exact as the
+/// triangulation lets a distance be: against all pairs of 64 places on a saddle, a cap and a torus of
+/// 5,000 to 20,000 faces they err by 4e-7 to 6e-6 m on average and 7e-6 to 5e-5 m at most, on sides of
+/// 1.2 m, and twice as many samples do little better. Where the shortest ways change sides of a hill a
+/// map has a crease, and they err by 1e-4 m on average and 4e-3 m at most. Final members are solved on
+/// exact distances.
 pub const SAMPLES: usize = 17;
 
 /// The table of exact shortest distances from the start side of a family to its end side, and how
