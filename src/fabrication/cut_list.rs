@@ -77,7 +77,7 @@ pub(super) fn cut_list(plan: &Plan, woods: &Woods) -> Vec<u8> {
         };
         let wood = woods.of(&lamella.material);
         let curve = Curve::new(member, std::iter::empty());
-        let row = |table: &mut Table, part: &PartRow| {
+        for part in part_rows(lamella) {
             let place = places.get(part.id.as_str());
             table.row([
                 part.id.clone(),
@@ -106,7 +106,7 @@ pub(super) fn cut_list(plan: &Plan, woods: &Woods) -> Vec<u8> {
                 part.joints.to_string(),
                 fixed(part.mass * 1e3, 2),
                 optional(
-                    wood.map(|wood| bending(part, lamella, &curve, wood) * 1e-6),
+                    wood.map(|wood| bending(&part, lamella, &curve, wood) * 1e-6),
                     1,
                 ),
                 place.map_or_else(String::new, |place| place.sheet.to_owned()),
@@ -115,9 +115,6 @@ pub(super) fn cut_list(plan: &Plan, woods: &Woods) -> Vec<u8> {
                 optional(place.map(|place| place.y * MM), 2),
                 part.id.clone(),
             ]);
-        };
-        for part in part_rows(lamella) {
-            row(&mut table, &part);
         }
     }
     table.finish()

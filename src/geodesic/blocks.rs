@@ -1,7 +1,6 @@
 //! Blocks of a table: neighbouring rows and columns, whose paths lie so close together that one bound
 //! of other geodesics serves them all.
 
-use super::certificate::Grounds;
 use super::draft::{Draft, End};
 use super::heights::Heights;
 use super::trail::Trail;
@@ -69,9 +68,6 @@ impl Draft<'_> {
         let (first, last) = (rows.start, rows.end);
         let blocks = self.to.len().div_ceil(BLOCK);
         let mut bounds = vec![None; blocks];
-        if self.geodesics.grounds() == Grounds::Unique {
-            return bounds;
-        }
         let masses = self.geodesics.masses();
         let mesh = self.geodesics.mesh;
         let middle = usize::midpoint(first, last);

@@ -1,7 +1,7 @@
 //! A table in the making: paths are followed from pair to pair and proven on the way; what is open
 //! in the end is solved, a row at a time.
 
-use super::blocks::{BLOCK, Blocks};
+use super::blocks::{BLOCK, Blocks, Bound};
 use super::laid::Laid;
 use super::room::Room;
 use super::table::Known;
@@ -208,20 +208,9 @@ impl<'a> Draft<'a> {
         trusted: bool,
     ) -> (Cell, Laid) {
         let target = &self.to[j];
-        let geodesics = self.geodesics;
-        if let Some(path) = geodesics.prove_calm(walk, path, target) {
-            return (Cell::proven(&path), path.last);
-        }
-        let alone = |walk: &mut Walk<'a>, among| geodesics.prove(walk, path, target, among);
-        let proven = match blocks.of(j).filter(|bound| bound.holds(walk, path)) {
-            None if !trusted && let Some(room) = Room::of(geodesics.masses()) => Err(room),
-            None => alone(walk, None),
-            // Bounds of a block are wider than those of a path.
-            Some(bound) => match walk.proven(path, target, &bound.heights) {
-                Err(_) if trusted => alone(walk, bound.parts.as_deref()),
-                proven => proven,
-            },
-        };
+        let known = self.geodesics.prove_at_once(walk, path, target);
+        let proven =
+            known.unwrap_or_else(|| self.beside(walk, path, target, blocks.of(j), trusted));
         match proven {
             Ok(path) => (Cell::proven(&path), path.last),
             Err(room) => {
@@ -232,6 +221,29 @@ impl<'a> Draft<'a> {
                 };
                 (cell, path.last)
             }
+        }
+    }
+
+    /// A proof by the curvature near a path or near its block.
+    fn beside(
+        &self,
+        walk: &mut Walk<'a>,
+        path: &Tight,
+        target: &SurfacePoint,
+        bound: Option<&Bound>,
+        trusted: bool,
+    ) -> Result<Tight, Room> {
+        let geodesics = self.geodesics;
+        match bound.filter(|bound| bound.holds(walk, path)) {
+            None if !trusted && let Some(room) = Room::of(geodesics.masses()) => Err(room),
+            None => geodesics.prove_beside(walk, path, target, None),
+            // Bounds of a block are wider than those of a path.
+            Some(bound) => match walk.proven(path, target, &bound.heights) {
+                Err(_) if trusted => {
+                    geodesics.prove_beside(walk, path, target, bound.parts.as_deref())
+                }
+                proven => proven,
+            },
         }
     }
 

@@ -13,42 +13,52 @@ use crate::surface::SurfacePoint;
 
 impl Geodesics<'_> {
     /// The shortest path to a point, given one that a walk has just found, or the room that is left
-    /// for a shorter one; `among` are the only fine cells that matter, if that is known.
+    /// for a shorter one.
     pub(super) fn prove(
+        &self,
+        walk: &mut Walk<'_>,
+        path: &Tight,
+        to: &SurfacePoint,
+    ) -> Result<Tight, Room> {
+        let known = self.prove_at_once(walk, path, to);
+        known.unwrap_or_else(|| self.prove_beside(walk, path, to, None))
+    }
+
+    /// The same where the mesh as a whole tells it.
+    pub(super) fn prove_at_once(
+        &self,
+        walk: &mut Walk<'_>,
+        path: &Tight,
+        to: &SurfacePoint,
+    ) -> Option<Result<Tight, Room>> {
+        match self.grounds() {
+            Grounds::Unique => Some(Ok(*path)),
+            Grounds::Solved => Some(Err(Room::ANY)),
+            Grounds::Compared => {
+                let heights = Heights::calm(self.masses(), path.length)?;
+                let proven = walk.proven(path, to, &[heights.clone(), heights]);
+                proven.ok().map(Ok)
+            }
+        }
+    }
+
+    /// The same by the curvature near the path; `among` are the only fine cells of it that matter, if
+    /// that is known.
+    pub(super) fn prove_beside(
         &self,
         walk: &mut Walk<'_>,
         path: &Tight,
         to: &SurfacePoint,
         among: Option<&[usize]>,
     ) -> Result<Tight, Room> {
-        match self.grounds() {
-            Grounds::Unique => Ok(*path),
-            Grounds::Solved => Err(Room::ANY),
-            Grounds::Compared => {
-                if let Some(proven) = self.prove_calm(walk, path, to) {
-                    return Ok(proven);
-                }
-                let trail = walk.trail(path, to);
-                let heights = if let Some(parts) = among {
-                    walk.bounds.among(&trail, self.masses(), parts)
-                } else {
-                    let bounds = walk.bounds.around(&trail, 0.0, self.masses());
-                    bounds.ok_or(Room::ANY)?
-                };
-                walk.proven(path, to, &heights)
-            }
-        }
-    }
-
-    /// The same where the curvature of the whole mesh leaves little room.
-    pub(super) fn prove_calm(
-        &self,
-        walk: &mut Walk<'_>,
-        path: &Tight,
-        to: &SurfacePoint,
-    ) -> Option<Tight> {
-        let heights = Heights::calm(self.masses(), path.length)?;
-        walk.proven(path, to, &[heights.clone(), heights]).ok()
+        let trail = walk.trail(path, to);
+        let heights = if let Some(parts) = among {
+            walk.bounds.among(&trail, self.masses(), parts)
+        } else {
+            let bounds = walk.bounds.around(&trail, 0.0, self.masses());
+            bounds.ok_or(Room::ANY)?
+        };
+        walk.proven(path, to, &heights)
     }
 }
 

@@ -35,7 +35,7 @@ impl Geodesics<'_> {
             Some(near) => near,
             None => walk.through(self.faces_between(from, to)?, to)?,
         };
-        let shorter = match self.prove(&mut walk, &near, to, None) {
+        let shorter = match self.prove(&mut walk, &near, to) {
             Ok(_) => Shorter::None,
             Err(room) => Shorter::Within(room.range(&walk, &near)),
         };

@@ -51,7 +51,7 @@ impl Follow<'_> {
     /// where that cannot be told without [`Geodesics::shortest`].
     pub fn proven(&mut self, point: &SurfacePoint) -> Option<Path> {
         let near = self.walk.step(&self.last, point)?;
-        let proven = self.geodesics.prove(&mut self.walk, &near, point, None);
+        let proven = self.geodesics.prove(&mut self.walk, &near, point);
         let tight = proven.ok()?;
         self.last = tight.last;
         self.walk.path(point)

@@ -2,8 +2,8 @@
 //! together flat, seen from the top, the u-family above the v-family.
 //!
 //! It is the drawing to assemble by: every lamella with its id at both ends, its openings, its
-//! joints with the letters of their pieces, and the bolts where they stand in the flat state. Frame: the patch's planar frame in millimetres,
-//! moved into the first quadrant.
+//! joints with the letters of their pieces, and the bolts where they stand in the flat state. Frame:
+//! the patch's planar frame in millimetres, moved into the first quadrant.
 
 mod ids;
 mod joints;
